@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace poinsot {
+
+enum class SolidType { box, ellipsoid, cylinder };
+
+/** A homogeneous solid, placed in the axes of the assembly it belongs to. */
+struct Solid {
+  SolidType type = SolidType::box;
+  /** Full extents along its own axes [m]; a cylinder's axis is z. Positive and finite. */
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();
+  double mass = 1;  ///< [kg], positive and finite
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();                   ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< own axes → assembly axes, unit
+
+  double volume() const;                   ///< [m³]
+  Eigen::Matrix3d inertiaTensor() const;  ///< about its own centre, in assembly axes [kg·m²]
+};
+
+/** Solids joined rigidly. The parts are re-placed on construction so that the origin is the centre of mass. */
+class Assembly {
+ public:
+  /** Throws std::invalid_argument for no parts, and for sizes or masses that are not positive and finite. */
+  explicit Assembly(std::vector<Solid> parts);
+
+  const std::vector<Solid>& parts() const { return parts_; }
+  double mass() const;                     ///< [kg]
+  Eigen::Matrix3d inertiaTensor() const;  ///< about the centre of mass, by the parallel-axis theorem [kg·m²]
+  double boundingRadius() const;           ///< of a sphere about the centre of mass that holds all parts' boxes [m]
+
+ private:
+  std::vector<Solid> parts_;
+};
+
+/** Assemblies that scenes know by name. Lengths in m, masses in kg, each positive; all parts have the same density. */
+namespace shapes {
+
+Assembly box(const Eigen::Vector3d& size, double mass);
+Assembly ellipsoid(const Eigen::Vector3d& size, double mass);
+/** Axis z. */
+Assembly cylinder(double radius, double height, double mass);
+/** A cylinder along y (the bar) with another, the stem, standing on its middle along z. */
+Assembly tHandle(double bar_radius, double bar_length, double stem_radius, double stem_length, double mass);
+/**
+ * A hub (cylinder along z) with two flat wings in the xz plane that rise outwards by `dihedral` [rad]. The hub's axis is
+ * the intermediate one for usual proportions, so that a spinning wingnut flips.
+ */
+Assembly wingnut(double hub_radius, double hub_height, const Eigen::Vector3d& wing_size, double dihedral, double mass);
+/** Two bars of square section `thickness`, one along x, one along z, that share a corner. */
+Assembly lShape(double length_x, double length_z, double thickness, double mass);
+/** A cylinder along z and, with its centre at `offset` from the first's, another along x. */
+Assembly twoCylinders(double radius, double height, double second_radius, double second_height,
+                      const Eigen::Vector3d& offset, double mass);
+/**
+ * The homogeneous box of those principal moments, its longest half diagonal 1 m: what stands in for a body of which
+ * only the inertia is known. wᵢ² ∝ μⱼ + μₖ − μᵢ: the longest side lies along the axis of smallest moment. Where no real
+ * body has the moments, the side that would be imaginary is drawn thin.
+ */
+Assembly equivalentBox(const Eigen::Vector3d& moments, const Eigen::Quaterniond& axes);
+
+}  // namespace shapes
+}  // namespace poinsot

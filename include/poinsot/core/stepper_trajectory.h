@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "poinsot/core/rotation_state.h"
+#include "poinsot/core/stepper.h"
+
+namespace poinsot {
+
+/**
+ * The motion under a stepper, on the grid n·h from t = 0, n ≥ 0 (h of either sign).
+ *
+ * The state at n is what n steps from the start give, bit for bit, however one got there: going back starts from a
+ * checkpoint. Checkpoints are thinned as the motion grows, so memory is bounded. Copies share nothing but the stepper.
+ */
+class StepperTrajectory {
+ public:
+  /** @param step h [s], not zero, finite. */
+  StepperTrajectory(std::shared_ptr<const Stepper> stepper, const RotationState& start, double step);
+
+  /** How many steps at(n) would take now. */
+  std::int64_t stepsTo(std::int64_t n) const;
+
+  /** The state after n ≥ 0 steps. */
+  const RotationState& at(std::int64_t n);
+
+  /** Like at(n), but gives up, returning false, soon after `cancel` becomes true; what was reached is kept. */
+  bool moveTo(std::int64_t n, const std::atomic<bool>& cancel);
+
+  double step() const { return step_; }
+  const Stepper& stepper() const { return *stepper_; }
+
+ private:
+  struct Checkpoint {
+    std::int64_t n;
+    RotationState state;
+  };
+
+  const Checkpoint& nearestBefore(std::int64_t n) const;
+  void advanceTo(std::int64_t n);
+  void remember();
+  std::int64_t fineSpacing() const;
+
+  std::shared_ptr<const Stepper> stepper_;
+  double step_;
+  Checkpoint cursor_;
+  std::vector<Checkpoint> coarse_;  ///< every spacing_ steps, from n = 0 to the furthest point reached
+  std::vector<Checkpoint> fine_;    ///< inside the one coarse interval that is being played backwards
+  std::int64_t spacing_;
+};
+
+}  // namespace poinsot

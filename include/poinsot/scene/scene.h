@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "poinsot/core/assembly.h"
+#include "poinsot/core/effects/translation.h"
+#include "poinsot/core/inertia.h"
+
+namespace poinsot::scene {
+
+/** One body of a scene, validated. All vectors refer to the axes in which the inertia is given. */
+struct Body {
+  std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
+  PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
+  std::optional<Assembly> shape;                                    ///< where the scene gives one instead of the inertia
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();             ///< at t = 0 [rad/s], body axes
+  std::string method;                                               ///< as named, or the default
+  double step = 0;                                                  ///< [s], as named, or the default
+  std::optional<Translation> translation;
+};
+
+struct Scene {
+  std::optional<double> rate;  ///< [Hz]
+  std::vector<Body> bodies;    ///< at least one
+  std::vector<std::string> warnings;
+};
+
+/** What a body gets that names no method. */
+constexpr const char* kDefaultMethod = "buss2";
+constexpr double kDefaultStep = 1e-4;  // s
+constexpr double kDefaultRate = 60;    // Hz
+
+}  // namespace poinsot::scene

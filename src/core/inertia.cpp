@@ -1,0 +1,76 @@
+#include "poinsot/core/inertia.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace poinsot {
+namespace {
+
+constexpr double kSymmetryTolerance = 1e-9;
+constexpr double kSmallestMomentRatio = 1e-14;
+
+[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
+
+std::string shown(double value) {
+  std::ostringstream out;
+  out.precision(17);
+  out << value;
+  return out.str();
+}
+
+}  // namespace
+
+PrincipalInertia PrincipalInertia::fromMoments(const Eigen::Vector3d& moments) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(moments[i] > 0) || !std::isfinite(moments[i])) {
+      refuse("moment " + std::to_string(i + 1) + " is " + shown(moments[i]) +
+             "; a principal moment of inertia must be positive and finite (kg·m²)");
+    }
+  }
+  return {moments, Eigen::Quaterniond::Identity()};
+}
+
+PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
+  if (!tensor.allFinite()) refuse("the inertia tensor has an entry that is not finite");
+  const double largest = tensor.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i + 1; j < 3; ++j) {
+      if (std::abs(tensor(i, j) - tensor(j, i)) > kSymmetryTolerance * largest) {
+        refuse("the inertia tensor is not symmetric: entry (" + std::to_string(i + 1) + "," + std::to_string(j + 1) +
+               ") is " + shown(tensor(i, j)) + ", its mirror image " + shown(tensor(j, i)));
+      }
+    }
+  }
+  const Eigen::Matrix3d symmetric = 0.5 * tensor + 0.5 * tensor.transpose();
+  const Eigen::Vector3d diagonal = symmetric.diagonal();
+  if (symmetric == Eigen::Matrix3d(diagonal.asDiagonal())) return fromMoments(diagonal);
+
+  // Scaled so that no product inside the solver leaves the range of doubles.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric / largest);
+  const Eigen::Vector3d ratios = solver.eigenvalues();
+  if (!(ratios[0] > kSmallestMomentRatio * ratios[2])) {
+    refuse("the inertia tensor is not positive definite: its principal moments are " + shown(ratios[0] * largest) + ", " +
+           shown(ratios[1] * largest) + ", " + shown(ratios[2] * largest) + " kg·m²");
+  }
+  Eigen::Matrix3d vectors = solver.eigenvectors();
+  if (vectors.determinant() < 0) vectors.col(0) = -vectors.col(0);
+  return {ratios * largest, Eigen::Quaterniond(vectors).normalized()};
+}
+
+Eigen::Matrix3d PrincipalInertia::tensor() const {
+  if (axes_.vec().isZero(0)) return moments_.asDiagonal();
+  const Eigen::Matrix3d a = axes_.toRotationMatrix();
+  const Eigen::Matrix3d m = a * moments_.asDiagonal() * a.transpose();
+  return 0.5 * (m + m.transpose());
+}
+
+bool PrincipalInertia::satisfiesTriangleInequality() const {
+  const double largest = moments_.maxCoeff();
+  const Eigen::Vector3d ratios = moments_ / largest;  // no overflow in the sum
+  return 2.0 - ratios.sum() <= 8 * std::numeric_limits<double>::epsilon();
+}
+
+}  // namespace poinsot

@@ -1,0 +1,23 @@
+#include "poinsot/core/invariants.h"
+
+namespace poinsot {
+namespace {
+
+double ratio(double difference, double reference) { return difference == 0 ? 0 : difference / reference; }
+
+}  // namespace
+
+Invariants invariantsOf(const Eigen::Vector3d& moments, const RotationState& state) {
+  return {0.5 * state.momentum_body.dot(state.omegaBody(moments)), state.momentum_body.squaredNorm(),
+          state.momentumWorld()};
+}
+
+double energyDrift(const Invariants& now, const Invariants& reference) {
+  return ratio(now.kinetic_energy - reference.kinetic_energy, reference.kinetic_energy);
+}
+
+double momentumDrift(const Invariants& now, const Invariants& reference) {
+  return ratio((now.momentum_world - reference.momentum_world).norm(), reference.momentum_world.norm());
+}
+
+}  // namespace poinsot
