@@ -128,12 +128,14 @@ Assembly tHandle(double bar_radius, double bar_length, double stem_radius, doubl
 
 Assembly wingnut(double hub_radius, double hub_height, const Eigen::Vector3d& wing_size, double dihedral, double mass) {
   std::vector<Solid> parts = {solid(SolidType::cylinder, {2 * hub_radius, 2 * hub_radius, hub_height})};
+  const Eigen::Vector3d disc(wing_size.x(), wing_size.z(), wing_size.y());  // a cylinder's axis is its z
+  const Eigen::Quaterniond upright = about(kPi / 2, Eigen::Vector3d::UnitX());
   for (const double side : {1.0, -1.0}) {
     // A right wing turned about y by −dihedral rises outwards; the left one is its mirror image.
     const Eigen::Quaterniond turn = about(-side * dihedral, Eigen::Vector3d::UnitY());
     const Eigen::Vector3d root(side * 0.8 * hub_radius, 0, 0);
-    parts.push_back(
-        solid(SolidType::ellipsoid, wing_size, root + turn * Eigen::Vector3d(side * 0.5 * wing_size.x(), 0, 0), turn));
+    parts.push_back(solid(SolidType::cylinder, disc,
+                          root + turn * Eigen::Vector3d(side * 0.5 * wing_size.x(), 0, 0), turn * upright));
   }
   return ofOneDensity(std::move(parts), mass);
 }

@@ -16,6 +16,7 @@ MotionSetup checked(MotionSetup setup) {
     throw std::invalid_argument("method \"" + setup.method + "\" is not one of " + methodNames());
   }
   if (!(setup.step > 0) || !std::isfinite(setup.step)) throw std::invalid_argument("step must be positive and finite");
+  if (!setup.omega_body.allFinite()) throw std::invalid_argument("angular velocity must be finite");
   const double norm = setup.attitude.coeffs().stableNorm();
   if (!(norm > 0) || !std::isfinite(norm)) throw std::invalid_argument("attitude must be a quaternion other than zero");
   setup.attitude.coeffs() /= norm;
@@ -43,6 +44,7 @@ Motion::Motion(const MotionSetup& setup)
 Motion::Place Motion::locate(double t) const {
   const double distance = std::abs(t);
   const double n = std::floor(distance / setup_.step);
+  if (!(n < kLargestGridIndex)) throw std::out_of_range("time is not finite, or too far for steps this short");
   const double rest = std::max(0.0, std::fma(-n, setup_.step, distance));
   return {static_cast<std::int64_t>(n), std::copysign(rest, t)};
 }

@@ -46,8 +46,9 @@ Assembly cylinder(double radius, double height, double mass);
 /** A cylinder along y (the bar) with another, the stem, standing on its middle along z. */
 Assembly tHandle(double bar_radius, double bar_length, double stem_radius, double stem_length, double mass);
 /**
- * A hub (cylinder along z) with two flat wings in the xz plane that rise outwards by `dihedral` [rad]. The hub's axis is
- * the intermediate one for usual proportions, so that a spinning wingnut flips.
+ * A hub (cylinder along z) with two wings in the xz plane that rise outwards by `dihedral` [rad]: flat elliptic discs of
+ * extents `wing_size`, thin along y, rooted at 0.8 of the hub's radius. The hub's axis is the intermediate one for usual
+ * proportions, so that a spinning wingnut flips.
  */
 Assembly wingnut(double hub_radius, double hub_height, const Eigen::Vector3d& wing_size, double dihedral, double mass);
 /** Two bars of square section `thickness`, one along x, one along z, that share a corner. */

@@ -41,10 +41,16 @@ struct MotionSetup {
  */
 class Motion {
  public:
-  /** Throws std::invalid_argument for an unknown method, a step that is not positive and finite, a zero attitude. */
+  /**
+   * Throws std::invalid_argument for an unknown method, a step that is not positive and finite, a zero attitude, an
+   * angular velocity that is not finite.
+   */
   explicit Motion(const MotionSetup& setup);
 
-  /** The state at t [s], any sign, finite. Steps as far as needed. */
+  /**
+   * The state at t [s] of either sign. Steps as far as needed. Throws std::out_of_range where stepsTo(t) is infinite
+   * (t not finite, or 2⁵³ steps away), like prepare().
+   */
   MotionState at(double t);
 
   /** How many steps at(t) would take now. Infinite where the grid index would not fit. */

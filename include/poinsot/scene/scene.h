@@ -16,11 +16,11 @@ namespace poinsot::scene {
 struct Body {
   std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
-  std::optional<Assembly> shape;                                    ///< where the scene gives one instead of the inertia
+  std::optional<Assembly> shape;                                 ///< where the scene gives one instead of the inertia
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
-  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();             ///< at t = 0 [rad/s], body axes
-  std::string method;                                               ///< as named, or the default
-  double step = 0;                                                  ///< [s], as named, or the default
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
+  std::string method;                                            ///< as named, or the default
+  double step = 0;                                               ///< [s], as named, or the default
   std::optional<Translation> translation;
 };
 

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <poinsot/BodyDescription.h>
+#include <poinsot/BodyState.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "poinsot/audit/recording.h"
+#include "poinsot/audit/report.h"
+
+namespace poinsot::audit {
+
+struct Options {
+  double drift = 1e-3;  ///< E and L may drift by no more than this, relatively, whatever the method allows
+
+  // What the stream is meant to carry; checks of what it is not meant to carry are left out.
+  bool tf = true, odometry = true, markers = true;
+
+  /**
+   * Topics of a recording begin and end at different times: a state before the first or after the last message of
+   * another topic needs no partner there, within this much of the recording's ends [s].
+   */
+  double ends = 2;
+  /** The share of partners that may be missing in between: 0 for bags, little for live listening. */
+  double losses = 0;
+};
+
+/**
+ * Judges a stream of messages as a stranger would receive it: from the messages alone, with physics of its own.
+ *
+ * Messages of one topic come in the order in which they were sent; topics may come in any order between them. A body is
+ * known by the namespace of its topics, `[ns/]<body>/state`; its frame by its odometry's child_frame_id, or where there
+ * is no odometry by the frame whose name ends with the body's and which moves as its state does.
+ */
+class Audit {
+ public:
+  explicit Audit(Options options = {}) : options_(options) {}
+
+  void add(const BodyState& message, const std::string& topic);
+  void add(const BodyDescription& message, const std::string& topic);
+  void add(const nav_msgs::Odometry& message, const std::string& topic);
+  void add(const tf2_msgs::TFMessage& message, bool is_static);
+  void add(const visualization_msgs::MarkerArray& message, const std::string& topic);
+
+  /** True when no state and no description has come. */
+  bool empty() const { return states_.empty() && descriptions_.empty(); }
+
+  /** Evaluates all that has come so far. */
+  Report report() const;
+
+ private:
+  std::map<std::string, Body> bodies() const;
+  std::string frameOf(const Body& body) const;
+
+  struct OdometryTopic {
+    std::multimap<Stamp, Odometry> by_stamp;
+    Stamp last = 0;
+    std::int64_t backwards = 0;
+  };
+
+  struct Drawings {
+    std::vector<Drawing> fixed, moving;
+  };
+
+  Options options_;
+  std::map<std::string, Body> states_;  ///< by the topic's namespace; with their states only
+  std::map<std::string, std::vector<Description>> descriptions_;
+  std::map<std::string, OdometryTopic> odometry_;
+  std::map<std::string, Drawings> drawings_;  ///< by the topic's namespace
+  Transforms transforms_;
+};
+
+}  // namespace poinsot::audit

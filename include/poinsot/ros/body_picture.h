@@ -1,0 +1,65 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "poinsot/core/motion.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/ros/simulation_clock.h"
+#include "poinsot/scene/scene.h"
+#include "poinsot/view/layout.h"
+#include "poinsot/view/picture_scale.h"
+#include "poinsot/view/polhode.h"
+#include "poinsot/view/trail.h"
+
+namespace poinsot::node {
+
+/** One body's markers: the body itself and the two pictures of Poinsot's construction. */
+class BodyPicture {
+ public:
+  BodyPicture(const scene::Body& body, const names::Frames& frames);
+
+  const view::Layout& layout() const { return layout_; }
+  const view::PictureScale& scale() const { return scale_; }
+
+  /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
+  void appendStatic(visualization_msgs::MarkerArray& out) const;
+
+  /** What moves, at one tick. */
+  void appendMoving(const Tick& tick, const MotionState& state, visualization_msgs::MarkerArray& out);
+
+  /** Forgets the trail: nobody looked, or the motion jumped. */
+  void clearTrail() { trail_.clear(); }
+
+ private:
+  /** The pictures in world and in body axes hang the same things on different frames. */
+  struct Picture {
+    const char* name;        ///< "space" or "model", in marker namespaces
+    std::string body_frame;  ///< in which the ellipsoids are at rest
+  };
+
+  visualization_msgs::Marker marker(const std::string& ns, int id, int type, const std::string& frame) const;
+  visualization_msgs::Marker text(int id, const std::string& frame, const Eigen::Vector3d& place,
+                                  const std::string& words, double height) const;
+  visualization_msgs::Marker arrow(const std::string& ns, const std::string& frame, const Eigen::Vector3d& tip) const;
+
+  void appendEllipsoids(const Picture& picture, visualization_msgs::MarkerArray& out) const;
+  void appendCurves(const Picture& picture, visualization_msgs::MarkerArray& out) const;
+  void appendTitles(visualization_msgs::MarkerArray& out) const;
+  void appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& momentum_world,
+                      visualization_msgs::MarkerArray& out) const;
+
+  std::string name_;
+  names::Frames frames_;
+  MotionState start_;
+  PrincipalInertia inertia_;
+  Assembly shape_;
+  bool momentum_is_constant_;  ///< by the method's promise, so that L need not be sent again
+  view::Layout layout_;
+  view::PictureScale scale_;
+  view::Polhode polhode_;
+  view::Trail trail_;
+};
+
+}  // namespace poinsot::node

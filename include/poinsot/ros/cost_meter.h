@@ -1,0 +1,26 @@
+#pragma once
+
+#include "poinsot/core/motion.h"
+
+namespace poinsot::node {
+
+/** What a motion costs: CPU seconds per simulated second. */
+class CostMeter {
+ public:
+  /** Begins with a short trial run of a copy of the motion. */
+  explicit CostMeter(Motion motion);
+
+  /** Adds what was measured: CPU time spent [s] on simulated time moved [s, either direction]. */
+  void add(double cpu, double simulated);
+
+  double cost() const { return cost_; }
+
+ private:
+  double cost_;
+  double cpu_ = 0, simulated_ = 0;  ///< since the figure was last renewed
+};
+
+/** CPU time of the calling thread [s]. */
+double threadCpuTime();
+
+}  // namespace poinsot::node

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "poinsot/scene/scene.h"
+
+namespace poinsot::node {
+
+/** The node's private parameters, validated. */
+struct Parameters {
+  scene::Scene scene;
+  double rate = scene::kDefaultRate;  ///< [Hz]
+  bool publish_clock = false;
+  std::string frame_prefix;
+};
+
+/** A parameter that is refused; what() names it, its value and what is allowed. */
+class ParameterError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/**
+ * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~publish_clock` and `~frame_prefix`.
+ * Throws ParameterError, or scene::Error for a bad scene.
+ */
+Parameters readParameters(const ros::NodeHandle& private_handle);
+
+}  // namespace poinsot::node

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <optional>
+#include <vector>
+
+#include "poinsot/core/motion.h"
+
+namespace poinsot::node {
+
+/** Moves copies of motions to a far time on a thread of its own, so that publishing goes on meanwhile. */
+class Seeker {
+ public:
+  struct Result {
+    double time;
+    std::vector<Motion> motions;
+  };
+
+  Seeker() = default;
+  Seeker(const Seeker&) = delete;
+  Seeker& operator=(const Seeker&) = delete;
+  ~Seeker() { cancel(); }
+
+  /** Starts, giving up what was under way. */
+  void start(std::vector<Motion> motions, double time);
+  void cancel();
+  bool busy() const { return work_.valid(); }
+
+  /** The result, once, when it is there. */
+  std::optional<Result> poll();
+
+ private:
+  std::atomic<bool> cancelled_{false};
+  std::future<std::optional<Result>> work_;
+};
+
+}  // namespace poinsot::node

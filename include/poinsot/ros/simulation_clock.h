@@ -1,0 +1,80 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace poinsot::node {
+
+/** What one tick says about time. From `stamp` until the next tick's, simulation time runs at `time_rate`. */
+struct Tick {
+  ros::Time stamp;
+  double time = 0;            ///< simulation time t [s]
+  double time_rate = 0;       ///< dt/dstamp from here on
+  std::uint32_t segment = 0;  ///< continuity holds only inside one
+};
+
+/**
+ * Turns stamps into simulation time: t is piecewise linear in the stamp.
+ *
+ * Commands take effect at the next tick, never between two, so that between two ticks t runs at exactly the rate that
+ * the earlier one stated. Not thread-safe.
+ */
+class SimulationClock {
+ public:
+  /** @param step_length what step() advances t by [s], positive. */
+  explicit SimulationClock(double step_length);
+
+  void pause(bool paused);
+  bool paused() const { return paused_; }
+
+  /** While paused: lets t run at rate 1 for one step length, ending on it exactly. Calls add up. Ignored while playing. */
+  void step();
+
+  /** Any finite speed; negative plays backwards. */
+  void setSpeed(double speed);
+  double speed() const { return speed_; }
+
+  /** Jumps to t at the next tick, which begins a new segment. */
+  void jumpTo(double t);
+
+  /** The time of the last tick; the start time before the first. */
+  double time() const { return time_; }
+
+  /**
+   * @param now the present stamp.
+   * @return nothing when `now` is not after the last tick's stamp (a repeated stamp would be dropped by tf). The stamp
+   *         returned is `now`, or earlier, when a step ended between the last tick and now.
+   */
+  std::optional<Tick> tick(const ros::Time& now);
+
+  /** True when `now` lies before the last tick: somebody else's clock jumped back. */
+  bool jumpedBack(const ros::Time& now) const { return started_ && now < stamp_; }
+
+  /** Forgets the stamps: t goes on from where it is, in a new segment, at whatever stamp comes next. */
+  void restartStamps();
+
+ private:
+  void anchorHere();
+
+  double step_length_;
+  bool paused_ = false;
+  double speed_ = 1;
+  std::int64_t steps_left_ = 0;
+  std::optional<double> jump_;
+
+  bool started_ = false;
+  ros::Time stamp_;
+  double time_ = 0;
+  double rate_ = 0;
+  std::uint32_t segment_ = 0;
+  bool new_segment_ = false;
+
+  // t = anchor_time_ + rate_ · (stamp − anchor_stamp_)
+  ros::Time anchor_stamp_;
+  double anchor_time_ = 0;
+  std::optional<ros::Time> step_end_;
+};
+
+}  // namespace poinsot::node

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "poinsot/core/motion.h"
+#include "poinsot/scene/scene.h"
+
+namespace poinsot::scene {
+
+/** What a scene's body asks of core. */
+inline MotionSetup motionSetup(const Body& body) {
+  return {body.inertia, body.attitude, body.omega_body, body.method, body.step, body.translation};
+}
+
+}  // namespace poinsot::scene

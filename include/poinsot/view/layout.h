@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace poinsot::view {
+
+/**
+ * Where the two pictures of Poinsot's construction stand beside their body, for a viewer who looks from +x (where
+ * RViz's light is behind the viewer): the body, to its right (+y) the picture in world axes, then the one in body axes.
+ */
+struct Layout {
+  Eigen::Vector3d space_centre;          ///< of the picture in world axes [m], world axes
+  Eigen::Vector3d model_centre;          ///< of the picture in body axes [m], world axes
+  Eigen::Quaterniond model_orientation;  ///< body axes → world: how the picture in body axes is turned to the viewer
+};
+
+/**
+ * @param position of the body at t = 0 [m], world axes.
+ * @param body_radius of a sphere that holds the body [m].
+ * @param moments principal moments [kg·m²].
+ * @param axes principal axes → body axes, unit.
+ * @param omega_body Ω at t = 0 [rad/s], principal axes.
+ *
+ * The picture in body axes is turned so that the polhode lies on the viewer's side: the axis that it goes round towards
+ * the viewer, and some way to the side, the intermediate axis up.
+ */
+Layout layoutOf(const Eigen::Vector3d& position, double body_radius, const Eigen::Vector3d& moments,
+                const Eigen::Quaterniond& axes, const Eigen::Vector3d& omega_body);
+
+}  // namespace poinsot::view

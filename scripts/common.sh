@@ -1,0 +1,66 @@
+# Sourced by the other scripts: where things are, and a shell in which Debian's ROS works.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+
+# ROS's Python modules are Debian's: another python3 first in PATH would not find them.
+export PATH=/usr/bin:/bin:$PATH
+unset PYTHONHOME PYTHONPATH
+export PYTHONNOUSERSITE=1
+
+# Noted before any setup.bash sets defaults: has the user said where the ROS graph is?
+user_graph=${ROS_MASTER_URI:-}${ROS_IP:-}${ROS_HOSTNAME:-}
+
+# stay_on_loopback PORT: keeps the ROS graph on this machine, its master on that port.
+stay_on_loopback() {
+  unset ROS_HOSTNAME
+  export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:$1
+}
+
+# usage: the comment at the head of the script.
+usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"; }
+
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf '%s\n' "$*" >&2; exit 1; }
+bad_use() { printf '%s\n' "$*" >&2; exit 2; }
+
+# build_package [TARGET ...]: configures once, then builds (Release unless the build directory says otherwise).
+build_package() {
+  local log=$build/build.log
+  mkdir -p "$build"
+  if ! { cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
+         cmake --build "$build" --parallel "$(nproc)" --target "${@:-all}"; } > "$log" 2>&1; then
+    grep -nE -A4 'error|Error' "$log" | head -60 >&2 || true
+    tail -n 20 "$log" >&2
+    fail "the build failed; all of its output is in $log"
+  fi
+}
+
+# enter_devel: makes the built package visible to roslaunch, rosrun and rospy.
+enter_devel() {
+  set +u
+  # shellcheck disable=SC1091
+  source "$build/devel/setup.bash"
+  set -u
+}
+
+# free_port: a TCP port on loopback that nobody listens on.
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}
+
+# start_display: a virtual screen that software OpenGL can draw on; sets DISPLAY and display_pid.
+start_display() {
+  local number
+  number=$(mktemp)
+  Xvfb -displayfd 3 -screen 0 "${1:-1600x900}x24" +extension GLX -nolisten tcp 3> "$number" > /dev/null 2>&1 &
+  display_pid=$!
+  for _ in $(seq 100); do
+    [ -s "$number" ] && break
+    kill -0 "$display_pid" 2> /dev/null || fail "Xvfb does not start"
+    sleep 0.1
+  done
+  export DISPLAY=:$(cat "$number") LIBGL_ALWAYS_SOFTWARE=1
+  rm -f "$number"
+}

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Builds what is missing and shows a scene in RViz.
+#
+# Usage: scripts/demo.sh [--headless] [--scene NAME] [--duration S] [--screenshot FILE]
+#   --headless         RViz on a virtual screen; taken where there is no DISPLAY
+#   --scene NAME       a scene of scenes/, or the path of a scene file (default: dzhanibekov)
+#   --duration S       ends S seconds after RViz has come up (default: when RViz is closed; headless: 15)
+#   --screenshot FILE  writes RViz's picture there, as PNG, at the end (headless default: build/demo.png)
+#
+# Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+headless=no scene=dzhanibekov duration= screenshot=
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --headless) headless=yes; shift ;;
+    --scene | --duration | --screenshot)
+      [ $# -ge 2 ] || bad_use "demo.sh: $1 needs a value"
+      case "$1" in
+        --scene) scene=$2 ;;
+        --duration) duration=$2 ;;
+        --screenshot) screenshot=$2 ;;
+      esac
+      shift 2 ;;
+    -h | --help) usage; exit 0 ;;
+    *) bad_use "demo.sh: unknown option '$1'; see demo.sh --help" ;;
+  esac
+done
+[[ $duration =~ ^([0-9]+(\.[0-9]*)?)?$ ]] || bad_use "demo.sh: --duration $duration is not a positive number of seconds"
+[ -z "$duration" ] || awk "BEGIN {exit !($duration > 0)}" || bad_use "demo.sh: --duration must be positive"
+if [ -n "$screenshot" ]; then
+  screenshot=$(realpath -m -- "$screenshot")
+  { [ -d "$(dirname "$screenshot")" ] && [ -w "$(dirname "$screenshot")" ] && [ ! -d "$screenshot" ]; } ||
+    bad_use "demo.sh: cannot write $screenshot"
+fi
+[ -n "${DISPLAY:-}" ] || headless=yes
+
+case "$scene" in
+  */* | *.yaml) file=$(realpath -m -- "$scene") view=demo ;;
+  *) file=$root/scenes/$scene.yaml view=$scene ;;
+esac
+[ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+[ -f "$root/rviz/$view.rviz" ] || view=demo
+
+"$root/scripts/setup.sh"
+say "building"
+build_package
+enter_devel
+"$build/devel/lib/poinsot/poinsot_node" --check "$file" || exit 2
+
+if [ -z "$user_graph" ]; then
+  port=11311
+  [ $headless = no ] || port=$(free_port)
+  stay_on_loopback "$port"
+fi
+
+rviz_args= launch_pid= display_pid= log=$build/demo.log partial=
+finish() {
+  if [ -n "$launch_pid" ]; then
+    kill -INT "$launch_pid" 2> /dev/null || true
+    wait "$launch_pid" 2> /dev/null || true
+  fi
+  [ -z "$display_pid" ] || kill "$display_pid" 2> /dev/null || true
+  rm -f "$partial"
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+
+if [ $headless = yes ]; then
+  say "no display: RViz draws on a virtual one"
+  start_display 1600x900
+  rviz_args=--fullscreen
+  duration=${duration:-15}
+  screenshot=${screenshot:-$build/demo.png}
+fi
+
+say "showing $scene"
+roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$root/rviz/$view.rviz" rviz_args:="$rviz_args" \
+  > "$log" 2>&1 &
+launch_pid=$!
+
+died() { tail -n 20 "$log" >&2; launch_pid=; fail "demo.sh: the launch ended early; its output is in $log"; }
+
+if [ -z "$duration" ] && [ -z "$screenshot" ]; then
+  echo "close RViz or press Ctrl-C to end; the output of the nodes is in $log"
+  wait "$launch_pid" || true
+  launch_pid=
+  exit 0
+fi
+
+# RViz is up when it listens to what moves.
+for _ in $(seq 120); do
+  kill -0 "$launch_pid" 2> /dev/null || died
+  timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz && break
+  sleep 0.5
+done
+sleep "${duration:-5}"
+kill -0 "$launch_pid" 2> /dev/null || died
+
+if [ -n "$screenshot" ]; then
+  partial=$(mktemp --suffix=.png)
+  window=root
+  [ $headless = yes ] || window="$view.rviz - RViz"
+  import -window "$window" "$partial" || fail "demo.sh: no picture could be taken"
+  mv "$partial" "$screenshot"
+  chmod 644 "$screenshot"
+  echo "the picture is in $screenshot"
+fi

@@ -1,0 +1,161 @@
+#include "poinsot/audit/audit.h"
+
+#include <algorithm>
+#include <set>
+
+#include "poinsot/audit/checks.h"
+
+namespace poinsot::audit {
+namespace {
+
+std::string parentOf(const std::string& topic) { return topic.substr(0, std::min(topic.rfind('/'), topic.size())); }
+
+bool endsWith(const std::string& text, const std::string& tail) {
+  return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+/** "/a/wingnut" of "/a/wingnut/state"; a topic that was renamed stands for itself. */
+std::string keyOf(const std::string& topic, const char* name) {
+  const std::string absolute = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+  return endsWith(absolute, std::string("/") + name) ? parentOf(absolute) : absolute;
+}
+
+/** The only body that answers to `matches`, or nullptr. */
+template <typename Matches>
+Body* onlyOne(std::map<std::string, Body>& bodies, const Matches& matches) {
+  Body* found = nullptr;
+  for (auto& entry : bodies) {
+    if (!matches(entry.second)) continue;
+    if (found) return nullptr;
+    found = &entry.second;
+  }
+  return found;
+}
+
+}  // namespace
+
+void Audit::add(const BodyState& message, const std::string& topic) {
+  const std::string key = keyOf(topic, "state");
+  Body& body = states_[key];
+  body.key = key;
+  body.name = message.body;
+  body.states.push_back(read(message));
+}
+
+void Audit::add(const BodyDescription& message, const std::string& topic) {
+  descriptions_[keyOf(topic, "description")].push_back(read(message));
+}
+
+void Audit::add(const nav_msgs::Odometry& message, const std::string& topic) {
+  OdometryTopic& of_topic = odometry_[keyOf(topic, "odometry")];
+  const Stamp stamp = stampOf(message.header.stamp);
+  if (!of_topic.by_stamp.empty() && stamp < of_topic.last) ++of_topic.backwards;
+  of_topic.last = stamp;
+  of_topic.by_stamp.emplace(stamp, read(message));
+}
+
+void Audit::add(const tf2_msgs::TFMessage& message, bool is_static) {
+  for (const geometry_msgs::TransformStamped& t : message.transforms) {
+    const std::string& child = t.child_frame_id;
+    transforms_.add(!child.empty() && child[0] == '/' ? child.substr(1) : child, stampOf(t.header.stamp), read(t),
+                    is_static);
+  }
+}
+
+void Audit::add(const visualization_msgs::MarkerArray& message, const std::string& topic) {
+  const std::string absolute = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+  Drawings& drawings = drawings_[parentOf(absolute)];
+  for (const visualization_msgs::Marker& marker : message.markers) {
+    if (marker.action != visualization_msgs::Marker::ADD) continue;
+    Drawing drawing = read(marker);
+    if (drawing.stamp != 0) {
+      drawings.moving.push_back(std::move(drawing));
+      continue;
+    }
+    // What does not change is sent whole, again and again: one copy will do.
+    const auto same = [&drawing](const Drawing& other) { return drawing.sameAs(other); };
+    if (std::none_of(drawings.fixed.begin(), drawings.fixed.end(), same)) drawings.fixed.push_back(std::move(drawing));
+  }
+}
+
+std::map<std::string, Body> Audit::bodies() const {
+  std::map<std::string, Body> bodies = states_;
+  for (const auto& [key, descriptions] : descriptions_) {
+    const std::string& name = descriptions.front().body;
+    Body* body = bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return b.name == name; });
+    if (!body) {
+      body = &bodies[key];
+      body->key = key;
+      body->name = name;
+    }
+    body->descriptions.insert(body->descriptions.end(), descriptions.begin(), descriptions.end());
+  }
+  for (const auto& [key, odometry] : odometry_) {
+    const std::string& frame = odometry.by_stamp.begin()->second.child_frame_id;
+    Body* body = bodies.count(key) ? &bodies[key]
+                                   : onlyOne(bodies, [&](const Body& b) { return endsWith(frame, b.name); });
+    if (!body) continue;  // somebody else's robot
+    body->odometry.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
+    body->odometry_backwards += odometry.backwards;
+  }
+  for (const auto& [name_space, drawings] : drawings_) {
+    for (const auto* list : {&drawings.fixed, &drawings.moving}) {
+      for (const Drawing& drawing : *list) {
+        const std::string name = drawing.name_space.substr(0, drawing.name_space.find('/'));
+        const std::string key = name_space + "/" + name;
+        Body* body = bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return b.name == name; });
+        if (body) body->drawings.push_back(drawing);
+      }
+    }
+  }
+  for (auto& entry : bodies) entry.second.frame = frameOf(entry.second);
+  return bodies;
+}
+
+std::string Audit::frameOf(const Body& body) const {
+  if (!body.odometry.empty()) return body.odometry.rbegin()->second.child_frame_id;
+  std::string best;
+  std::int64_t best_score = -1;
+  for (const std::string& frame : transforms_.movingFrames()) {
+    if (!endsWith(frame, body.name)) continue;
+    // Of two nodes' frames, the one that turns as this body does, or else is sent when its states are.
+    const auto& by_stamp = *transforms_.moving(frame);
+    std::int64_t score = 0;
+    for (const State& state : body.states) {
+      const auto found = by_stamp.find(state.stamp);
+      if (found == by_stamp.end()) continue;
+      score += angleBetween(found->second.rotation, state.attitude) < 1e-9 ? 1000 : 1;
+    }
+    if (score > best_score) {
+      best_score = score;
+      best = frame;
+    }
+  }
+  return best;
+}
+
+Report Audit::report() const {
+  Report report;
+  for (const auto& entry : bodies()) {
+    const Body& body = entry.second;
+    const Evidence evidence{body, transforms_, options_};
+    if (body.states.empty()) {
+      Judge judge("states", body.key);
+      judge.ifNothing("no state of this body was received, only its description");
+      report.checks.push_back(judge.verdict());
+      continue;
+    }
+    judgeForm(evidence, report.checks);
+    judgeAgreement(evidence, report.checks);
+    judgeDescription(evidence, report.checks);
+    // Without inertia nothing about motion and energy can be judged; judgeDescription has said so.
+    if (body.descriptions.empty()) continue;
+    judgeState(evidence, report.checks);
+    judgeMotion(evidence, report.checks);
+    judgeConservation(evidence, report.checks);
+    if (options_.markers) judgeMarkers(evidence, report.checks);
+  }
+  return report;
+}
+
+}  // namespace poinsot::audit

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "poinsot/audit/checks.h"
+#include "poinsot/audit/free_motion.h"
+#include "poinsot/audit/method_bounds.h"
+
+namespace poinsot::audit {
+namespace {
+
+/** The usable states of one segment, in order, and what describes them. */
+struct Segment {
+  std::vector<const State*> states;
+  const Description* description;
+  bool begins_here;  ///< its first message is in the recording
+};
+
+std::vector<Segment> segmentsOf(const Body& body) {
+  std::vector<Segment> segments;
+  for (std::size_t begin = 0, end; begin < body.states.size(); begin = end) {
+    Segment segment;
+    for (end = begin; end < body.states.size() && body.states[end].segment == body.states[begin].segment; ++end) {
+      if (body.states[end].flaw.empty()) segment.states.push_back(&body.states[end]);
+    }
+    // Drifts refer to the first message: where that cannot be used, the segment counts as joined in its middle.
+    segment.begins_here = begin > 0 && body.states[begin].flaw.empty();
+    if (segment.states.empty()) continue;
+    segment.description = body.descriptionAt(segment.states.back()->stamp);
+    segments.push_back(segment);
+  }
+  return segments;
+}
+
+/** E and L from attitude, omega_body and the tensor: no other field is believed. */
+double energyOf(const Inertia& inertia, const State& s) { return inertia.energy(s.omega_body); }
+Eigen::Vector3d momentumOf(const Inertia& inertia, const State& s) { return s.attitude * (inertia.tensor * s.omega_body); }
+
+std::string tooMuch(const char* what, double figure, double allowed, double ceiling, const MethodBounds& bounds,
+                    double span) {
+  const std::string drift = text("%s by %.3g in %.6g s", what, figure, span);
+  const std::string method = text("method %s%s", bounds.method().c_str(),
+                                  bounds.step() > 0 ? text(" at step %g s", bounds.step()).c_str() : "");
+  if (figure > ceiling) {
+    if (figure <= allowed) return drift + ": " + method + text(" is too coarse for ground truth (at most %g)", ceiling);
+    return drift + text(", more than %s allows (%.3g) and more than ground truth may (%g)", method.c_str(), allowed, ceiling);
+  }
+  return drift + text(", more than %s allows (%.3g)", method.c_str(), allowed);
+}
+
+void judgeFree(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
+  const std::string& key = evidence.body.key;
+  Judge energy("E conserved", key), length("|L| conserved", key), momentum("L conserved", key);
+  const double ceiling = evidence.options.drift;
+  bool unknown = false;
+  for (const Segment& segment : segments) {
+    const Inertia inertia(segment.description->tensor);
+    const MethodBounds bounds(*segment.description);
+    unknown = unknown || !bounds.known();
+    const State& first = *segment.states.front();
+    const double e0 = energyOf(inertia, first);
+    const Eigen::Vector3d l0 = momentumOf(inertia, first);
+    for (const State* s : segment.states) {
+      const double at = seconds(s->stamp), span = s->time - first.time;
+      if (l0.norm() == 0) {
+        for (Judge* judge : {&energy, &length, &momentum}) {
+          judge->compare(s->omega_body.norm(), 0, at, [] { return "a free body at rest begins to turn"; });
+        }
+        continue;
+      }
+      const double e_allowed = bounds.energy(inertia, first.omega_body, first.time) +
+                               bounds.energy(inertia, s->omega_body, s->time);
+      const double l_allowed = bounds.momentum(inertia, first.omega_body, first.time) +
+                               bounds.momentum(inertia, s->omega_body, s->time);
+      const Eigen::Vector3d l = momentumOf(inertia, *s);
+      const double de = std::abs(energyOf(inertia, *s) / e0 - 1), dl = std::abs(l.norm() / l0.norm() - 1);
+      energy.compare(de, std::min(e_allowed, ceiling), at,
+                     [&] { return tooMuch("energy drifts", de, e_allowed, ceiling, bounds, span); });
+      length.compare(dl, std::min(l_allowed, ceiling), at,
+                     [&] { return tooMuch("|L| drifts", dl, l_allowed, ceiling, bounds, span); });
+      const double dv = (l - l0).norm() / l0.norm();
+      momentum.compare(dv, std::min(l_allowed, ceiling), at, [&] {
+        const double angle = std::atan2(l.cross(l0).norm(), l.dot(l0));
+        return angle > 2 * dl ? tooMuch("L turns (in rad)", angle, l_allowed, ceiling, bounds, span)
+                              : tooMuch("L changes its length", dl, l_allowed, ceiling, bounds, span);
+      });
+    }
+  }
+  for (Judge* judge : {&energy, &length, &momentum}) {
+    if (unknown) judge->note(text("the method is not known here: only the ceiling of %g was asked", ceiling));
+    checks.push_back(judge->verdict());
+  }
+}
+
+/** Constant torques in world axes: L is a straight line in time. */
+void judgeWorldTorque(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
+  Judge judge("L = L0 + torque t", evidence.body.key);
+  for (const Segment& segment : segments) {
+    const Inertia inertia(segment.description->tensor);
+    const MethodBounds bounds(*segment.description);
+    const auto earlier = [](const State* a, const State* b) { return a->time < b->time; };
+    const State& a = **std::min_element(segment.states.begin(), segment.states.end(), earlier);
+    const State& b = **std::max_element(segment.states.begin(), segment.states.end(), earlier);
+    const Eigen::Vector3d la = momentumOf(inertia, a), lb = momentumOf(inertia, b);
+    const double scale = std::max(la.norm(), lb.norm()), span = b.time - a.time;
+    if (!(span > 0) || !(scale > 0)) continue;
+    const State& fastest = la.norm() > lb.norm() ? a : b;
+    const double far = std::max(std::abs(a.time), std::abs(b.time));
+    // A method's L may be no better than its order once there is a torque.
+    const double allowed = 3 * bounds.momentum(inertia, fastest.omega_body, far) +
+                           3 * bounds.energy(inertia, fastest.omega_body, far);
+    for (const State* s : segment.states) {
+      const Eigen::Vector3d line = la + (s->time - a.time) / span * (lb - la);
+      const double off = (momentumOf(inertia, *s) - line).norm() / scale;
+      judge.compare(off, std::min(allowed, evidence.options.drift), seconds(s->stamp), [&] {
+        return text("under a constant torque in world axes L must be a straight line in time; it is off by %.3g", off);
+      });
+    }
+  }
+  checks.push_back(judge.verdict());
+}
+
+/** Viscous damping alone takes energy out, at every moment. */
+void judgeDamping(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
+  Judge judge("E never rises", evidence.body.key);
+  for (const Segment& segment : segments) {
+    const Inertia inertia(segment.description->tensor);
+    for (std::size_t i = 1; i < segment.states.size(); ++i) {
+      const State *a = segment.states[i - 1], *b = segment.states[i];
+      if (a->time > b->time) std::swap(a, b);
+      const double before = energyOf(inertia, *a), after = energyOf(inertia, *b);
+      if (!(before > 0)) continue;
+      judge.compare(std::max(0.0, after / before - 1), 1e-13 * inertia.conditionOfEnergy(a->omega_body),
+                    seconds(b->stamp), [] { return "energy rises although nothing but damping acts"; });
+    }
+  }
+  checks.push_back(judge.verdict());
+}
+
+void judgeDriftFields(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
+  Judge judge("energy_drift and momentum_drift", evidence.body.key);
+  for (const Segment& segment : segments) {
+    const Inertia inertia(segment.description->tensor);
+    const State& first = *segment.states.front();
+    const double e0 = energyOf(inertia, first), at0 = seconds(first.stamp);
+    const Eigen::Vector3d l0 = momentumOf(inertia, first);
+    if (segment.begins_here) {
+      judge.compare(std::abs(first.energy_drift) + first.momentum_drift, 1e-14, at0,
+                    [] { return "a segment's first message has a drift that is not zero"; });
+    }
+    // Recorded from its middle, a segment shows only differences: E_start is then E_first/(1 + drift_first).
+    const bool from_start = first.energy_drift == 0 && first.momentum_drift == 0;
+    const double e_offset = first.energy_drift, l_offset = first.momentum_drift;
+    if (!(e0 > 0) || !(l0.norm() > 0) || !std::isfinite(e_offset) || !std::isfinite(l_offset)) continue;
+    for (const State* s : segment.states) {
+      const double at = seconds(s->stamp);
+      const double expected = energyOf(inertia, *s) / e0 * (1 + e_offset) - 1;
+      const double size = 1 + std::abs(expected);
+      const double e_rounding = 4e-14 * inertia.conditionOfEnergy(s->omega_body) * size;
+      judge.compare(std::abs(s->energy_drift - expected), e_rounding, at, [&] {
+        return text("energy_drift says %.6g, the energies of the messages %.6g", s->energy_drift, expected);
+      });
+      const double moved = (momentumOf(inertia, *s) - l0).norm() / l0.norm();
+      const double l_rounding = 4e-14 * inertia.conditionOfMomentum(s->omega_body) * (1 + moved);
+      if (from_start) {
+        judge.compare(std::abs(s->momentum_drift - moved), l_rounding, at, [&] {
+          return text("momentum_drift says %.6g, the momenta of the messages %.6g", s->momentum_drift, moved);
+        });
+      } else {
+        // Of two distances from an unknown start only the triangle's inequality is known; |L_start| to within l_offset.
+        const double moved_most = moved * (1 + l_offset);
+        judge.compare(std::max(0.0, std::abs(s->momentum_drift - l_offset) - moved_most), l_rounding, at, [&] {
+          return text("momentum_drift changes by %.6g, the momenta of the messages only by %.6g",
+                      s->momentum_drift - l_offset, moved);
+        });
+      }
+    }
+  }
+  judge.ifNothing("the body is at rest: drift is relative to nothing");
+  Check check = judge.verdict();
+  // At rest there is no drift to be wrong about.
+  if (check.count == 0 && !segments.empty()) check.passed = true;
+  checks.push_back(check);
+}
+
+}  // namespace
+
+void judgeConservation(const Evidence& evidence, std::vector<Check>& checks) {
+  const std::vector<Segment> segments = segmentsOf(evidence.body);
+  const auto& descriptions = evidence.body.descriptions;
+  const auto all = [&descriptions](auto&& holds) { return std::all_of(descriptions.begin(), descriptions.end(), holds); };
+  const auto onlyFrom = [](const Description& d, auto&& allowed) {
+    return std::all_of(d.effects.begin(), d.effects.end(), [&](const std::string& line) {
+      return line.rfind("translation", 0) == 0 || allowed(line);
+    });
+  };
+  const auto worldTorque = [](const std::string& line) {
+    return line.rfind("constant_torque", 0) == 0 && line.find("world") != std::string::npos;
+  };
+  const auto damping = [](const std::string& line) { return line.rfind("viscous_damping", 0) == 0; };
+
+  if (all([](const Description& d) { return d.isFree(); })) {
+    judgeFree(evidence, segments, checks);
+  } else if (all([&](const Description& d) { return onlyFrom(d, worldTorque); })) {
+    judgeWorldTorque(evidence, segments, checks);
+  } else if (all([&](const Description& d) { return onlyFrom(d, damping); })) {
+    judgeDamping(evidence, segments, checks);
+  }
+  // Place for others: a heavy top's E + mgh and L about the vertical would be asked here.
+  judgeDriftFields(evidence, segments, checks);
+}
+
+}  // namespace poinsot::audit

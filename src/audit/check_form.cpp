@@ -1,0 +1,139 @@
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "poinsot/audit/checks.h"
+#include "poinsot/audit/free_motion.h"
+
+namespace poinsot::audit {
+namespace {
+
+constexpr double kUnit = 1e-12;   // of a quaternion's norm
+constexpr double kFields = 1e-14;  // of fields that follow from others of the same message
+
+void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
+  const Body& body = evidence.body;
+  Judge finite("finite numbers", body.key), unit("unit quaternions", body.key);
+  const auto look = [&](Stamp stamp, const std::string& flaw, const Eigen::Quaterniond& q, const std::string& where) {
+    finite.compare(flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + flaw; });
+    if (!q.coeffs().allFinite()) return;
+    unit.compare(std::abs(1 - q.norm()), kUnit, seconds(stamp),
+                 [&] { return text("%s: the quaternion's norm is %.12g", where.c_str(), q.norm()); });
+  };
+  for (const State& s : body.states) look(s.stamp, s.flaw, s.attitude_as_sent, "state");
+  if (evidence.options.odometry) {
+    for (const auto& [stamp, o] : body.odometry) look(stamp, o.flaw, o.attitude_as_sent, "odometry");
+  }
+  if (evidence.options.tf && !body.frame.empty()) {
+    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
+      if (const auto* moving = evidence.transforms.moving(frame)) {
+        for (const auto& [stamp, t] : *moving) look(stamp, t.flaw, t.rotation_as_sent, "tf of " + frame);
+      }
+    }
+  }
+  checks.push_back(finite.verdict());
+  checks.push_back(unit.verdict());
+}
+
+void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
+  const Body& body = evidence.body;
+  Judge stamps("stamps never decrease", body.key), segments("segments never decrease", body.key);
+  for (std::size_t i = 0; i < body.states.size(); ++i) {
+    if (i == 0) {
+      stamps.compare(0, 0, seconds(body.states[0].stamp));
+      segments.compare(0, 0, seconds(body.states[0].stamp));
+      continue;
+    }
+    const State &a = body.states[i - 1], &b = body.states[i];
+    stamps.compare(b.stamp < a.stamp ? 1 : 0, 0, seconds(b.stamp), [&] {
+      return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
+    });
+    segments.compare(b.segment < a.segment ? 1 : 0, 0, seconds(b.stamp),
+                     [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
+  }
+  if (evidence.options.odometry && body.odometry_backwards > 0) {
+    stamps.fail(0, text("odometry: %lld stamps lie before the one before", static_cast<long long>(body.odometry_backwards)));
+  }
+  if (evidence.options.tf && !body.frame.empty()) {
+    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
+      const auto backwards = static_cast<long long>(evidence.transforms.backwards(frame));
+      if (backwards > 0) stamps.fail(0, text("tf of %s: %lld stamps lie before the one before", frame.c_str(), backwards));
+    }
+  }
+  checks.push_back(stamps.verdict());
+  checks.push_back(segments.verdict());
+}
+
+}  // namespace
+
+void judgeForm(const Evidence& evidence, std::vector<Check>& checks) {
+  judgeNumbers(evidence, checks);
+  judgeOrder(evidence, checks);
+}
+
+void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
+  Judge judge("description", evidence.body.key);
+  judge.ifNothing("no description was received, so motion, energy and momentum could not be judged");
+  for (const Description& d : evidence.body.descriptions) {
+    const double at = seconds(d.stamp), largest = d.tensor.cwiseAbs().maxCoeff();
+    if (!d.tensor.allFinite() || !(largest > 0)) {
+      judge.compare(1, 0, at, [] { return "inertia_tensor is not finite, or zero"; });
+      continue;
+    }
+    judge.compare((d.tensor - d.tensor.transpose()).cwiseAbs().maxCoeff() / largest, 1e-12, at,
+                  [] { return "inertia_tensor is not symmetric"; });
+    judge.compare(std::abs(1 - d.axes.norm()), kUnit, at, [] { return "principal_axes is not a unit quaternion"; });
+    const Eigen::Matrix3d p = d.axes.normalized().toRotationMatrix();
+    const Eigen::Matrix3d product = p * d.moments.asDiagonal() * p.transpose();
+    judge.compare((product - d.tensor).cwiseAbs().maxCoeff() / largest, 1e-12, at, [&] {
+      const Eigen::Matrix3d other = p.transpose() * d.moments.asDiagonal() * p;
+      const bool inverse = (other - d.tensor).cwiseAbs().maxCoeff() < 1e-9 * largest;
+      return std::string("inertia_tensor is not P diag(principal_moments) P'") +
+             (inverse ? " (principal_axes looks like the inverse rotation)" : "");
+    });
+    judge.compare(Inertia(d.tensor).moments[0] > 0 ? 0 : 1, 0, at,
+                  [] { return "inertia_tensor has a moment that is not positive"; });
+  }
+  checks.push_back(judge.verdict());
+}
+
+void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
+  const Body& body = evidence.body;
+  Judge omega("omega_world = R omega_body", body.key), momentum("momentum_world = R M omega_body", body.key),
+      energy("kinetic_energy = 1/2 omega' M omega", body.key);
+  const Description* description = nullptr;
+  Inertia inertia(Eigen::Matrix3d::Identity());
+  for (const State& s : body.states) {
+    if (!s.flaw.empty()) continue;
+    if (const Description* d = body.descriptionAt(s.stamp); d != description) {
+      description = d;
+      inertia = Inertia(d->tensor);
+    }
+    const double at = seconds(s.stamp), rate = s.omega_body.norm();
+    const Eigen::Vector3d l = s.attitude * (inertia.tensor * s.omega_body);
+    const double e = inertia.energy(s.omega_body);
+    // A body at rest leaves nothing to be relative to.
+    const double omega_scale = rate > 0 ? rate : 1, l_scale = rate > 0 ? l.norm() : inertia.moments[2];
+    const double e_scale = rate > 0 ? e : inertia.moments[2];
+    omega.compare((s.omega_world - s.attitude * s.omega_body).norm() / omega_scale, kFields, at, [&] {
+      const bool body_axes = (s.omega_world - s.omega_body).norm() < 1e-9 * omega_scale;
+      const bool inverse = (s.omega_world - s.attitude.conjugate() * s.omega_body).norm() < 1e-9 * omega_scale;
+      return std::string("omega_world is not R omega_body") +
+             (body_axes ? " (it is omega_body)" : inverse ? " (R looks inverted)" : "");
+    });
+    momentum.compare((s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at,
+                     [&] {
+                       const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
+                       const bool world = (s.momentum_world - inertia.tensor * s.omega_world).norm() < 1e-9 * l_scale;
+                       return text("momentum_world is not R M omega_body%s; its length is %.6g times |M omega_body|",
+                                   body_axes ? " (it is in body axes)" : world ? " (it is M omega_world)" : "",
+                                   s.momentum_world.norm() / l_scale);
+                     });
+    energy.compare(std::abs(s.kinetic_energy - e) / e_scale, kFields * inertia.conditionOfEnergy(s.omega_body), at,
+                   [&] { return text("kinetic_energy is %.3f times ½ΩᵀMΩ", s.kinetic_energy / e_scale); });
+  }
+  checks.push_back(omega.verdict());
+  checks.push_back(momentum.verdict());
+  checks.push_back(energy.verdict());
+}
+
+}  // namespace poinsot::audit

@@ -1,0 +1,398 @@
+#include <visualization_msgs/Marker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "poinsot/audit/checks.h"
+#include "poinsot/audit/free_motion.h"
+#include "poinsot/audit/method_bounds.h"
+
+namespace poinsot::audit {
+namespace {
+
+constexpr double kDrawn = 1e-9;  // relative: doubles all the way, squared and added
+constexpr double kPolhode = 1e-6;
+constexpr double kMostLift = 1.05;  // of a polhode above the surface it would otherwise sink into
+
+using Frames = const Transforms&;
+
+std::string triple(const Eigen::Vector3d& v) { return text("(%.6g, %.6g, %.6g)", v.x(), v.y(), v.z()); }
+
+std::vector<const Drawing*> drawingsOf(const Body& body, const std::string& what) {
+  std::vector<const Drawing*> found;
+  for (const Drawing& d : body.drawings) {
+    if (d.flaw.empty() && d.name_space == body.name + "/" + what) found.push_back(&d);
+  }
+  return found;
+}
+
+/** An ellipsoid as drawn, in the body axes of its picture. */
+struct Ellipsoid {
+  Eigen::Isometry3d axes;  ///< of the ellipsoid → of the picture
+  Eigen::Vector3d semi;    ///< [m]
+
+  /** Σ(xᵢ/aᵢ)²: 1 on the surface. */
+  double valueAt(const Eigen::Vector3d& point) const {
+    return (axes.inverse(Eigen::Isometry) * point).cwiseQuotient(semi).squaredNorm();
+  }
+};
+
+std::optional<Ellipsoid> ellipsoidIn(const std::string& frame, const Drawing& d, Frames transforms, Stamp stamp) {
+  const auto to = transforms.between(d.frame_id, frame, stamp);
+  if (!to) return std::nullopt;
+  return Ellipsoid{*to * Eigen::Translation3d(d.position) * d.orientation, 0.5 * d.scale};
+}
+
+/** A quantity that an ellipsoid shows. */
+enum class Shows { energy, momentum };
+
+struct Expected {
+  const Inertia& inertia;
+  const State& state;
+  double scale;  ///< metres per rad/s
+
+  /** √(2E/μ) or |L|/μ along the ellipsoid's own axes [m]. */
+  Eigen::Vector3d semiAxes(Shows shows, const Eigen::Matrix3d& axes) const {
+    const Eigen::Matrix3d m = axes.transpose() * inertia.tensor * axes;
+    const Eigen::Vector3d mu = m.diagonal();
+    if (shows == Shows::energy) return scale * (2 * inertia.energy(state.omega_body) / mu.array()).sqrt();
+    return scale * (inertia.tensor * state.omega_body).norm() * mu.cwiseInverse();
+  }
+  /** How far the ellipsoid's axes are from principal ones. */
+  double skew(const Eigen::Matrix3d& axes) const {
+    Eigen::Matrix3d m = axes.transpose() * inertia.tensor * axes;
+    m.diagonal().setZero();
+    return m.cwiseAbs().maxCoeff() / inertia.moments[2];
+  }
+};
+
+std::string wrongSize(Shows shows, const Ellipsoid& drawn, const Expected& expected) {
+  const Eigen::Matrix3d axes = drawn.axes.linear();
+  const Eigen::Vector3d wanted = expected.semiAxes(shows, axes), ratio = drawn.semi.cwiseQuotient(wanted);
+  const auto all = [&ratio](double value) { return ((ratio / value).array() - 1).abs().maxCoeff() < 1e-3; };
+  const bool energy = shows == Shows::energy;
+  std::string out = std::string(energy ? "energy" : "momentum") + " ellipsoid's semi-axes are " + triple(drawn.semi) +
+                    " m, expected " + (energy ? "sqrt(2E/mu) = " : "|L|/mu = ") + triple(wanted) + " m";
+  if (expected.skew(axes) > 1e-6) return out + "; its axes are not the principal axes";
+  if (all(0.5)) return out + ": half of it, so scale was given as a radius where a SPHERE marker takes a diameter";
+  if (all(2)) return out + ": twice of it";
+  if (energy && all(std::sqrt(0.5))) return out + ": they are sqrt(E/mu)";
+  const Eigen::Vector3d mu = (axes.transpose() * expected.inertia.tensor * axes).diagonal();
+  const Eigen::Vector3d root = expected.scale * (expected.inertia.tensor * expected.state.omega_body).norm() *
+                               mu.cwiseSqrt().cwiseInverse();
+  if (!energy && (drawn.semi.cwiseQuotient(root).array() - 1).abs().maxCoeff() < 1e-3) out += ": they are sqrt(F/mu)";
+  return out;
+}
+
+/** One of the two pictures, and the checks of it. */
+class Picture {
+ public:
+  Picture(const Evidence& evidence, const char* name)
+      : evidence_(evidence), body_(evidence.body), name_(name), omega_(drawingsOf(body_, name_ + "/omega")),
+        polhode_(drawingsOf(body_, name_ + "/polhode")) {
+    split(drawingsOf(body_, name_ + "/energy_ellipsoid"), energy_, moving_energy_);
+    split(drawingsOf(body_, name_ + "/momentum_ellipsoid"), momentum_, moving_momentum_);
+    for (const State& s : body_.states) states_.emplace(s.stamp, &s);
+  }
+
+  bool empty() const {
+    return omega_.empty() && energy_.empty() && momentum_.empty() && moving_energy_.empty() && moving_momentum_.empty();
+  }
+
+  void judge(bool wants_polhode, std::vector<Check>& checks) {
+    judgeSemiAxes(Shows::energy, checks);
+    judgeSemiAxes(Shows::momentum, checks);
+    judgeOmega(checks);
+    if (wants_polhode || !polhode_.empty()) judgePolhode(checks);
+  }
+
+ private:
+  using Moving = std::multimap<Stamp, const Drawing*>;
+
+  static void split(const std::vector<const Drawing*>& all, std::vector<const Drawing*>& fixed, Moving& moving) {
+    for (const Drawing* d : all) {
+      if (d->stamp == 0) {
+        fixed.push_back(d);
+      } else {
+        moving.emplace(d->stamp, d);
+      }
+    }
+  }
+
+  /** The ellipsoids that hold at a stamp: those sent with it, else those that do not change. */
+  std::vector<const Drawing*> at(Stamp stamp, Shows shows) const {
+    const Moving& moving = shows == Shows::energy ? moving_energy_ : moving_momentum_;
+    const auto [begin, end] = moving.equal_range(stamp);
+    std::vector<const Drawing*> found;
+    for (auto it = begin; it != end; ++it) found.push_back(it->second);
+    return found.empty() ? (shows == Shows::energy ? energy_ : momentum_) : found;
+  }
+
+  std::string label(const char* what) const { return std::string(what) + " (" + name_ + ")"; }
+
+  /** The frame with the picture's body axes: of the model picture the model's own, in space the one that turns. */
+  std::string bodyFrame() const {
+    if (name_ == "model") return omega_.empty() ? anyEllipsoidFrame() : omega_.front()->frame_id;
+    return omega_.empty() ? anyEllipsoidFrame() : omega_.front()->frame_id + "_body";
+  }
+  std::string anyEllipsoidFrame() const {
+    if (!energy_.empty()) return energy_.front()->frame_id;
+    if (!momentum_.empty()) return momentum_.front()->frame_id;
+    return moving_energy_.empty() ? "" : moving_energy_.begin()->second->frame_id;
+  }
+
+  const Description& descriptionOf(const State& s) const { return *body_.descriptionAt(s.stamp); }
+
+  const Inertia& inertiaOf(const State& s) {
+    if (const Description* d = &descriptionOf(s); d != described_) {
+      described_ = d;
+      inertia_.emplace(d->tensor);
+    }
+    return *inertia_;
+  }
+
+  /** What the method allows the motion to have left the ellipsoids by, relatively, of E or |L|². */
+  double allowed(Shows shows, const State& s) {
+    const Inertia& inertia = inertiaOf(s);
+    const MethodBounds bounds(descriptionOf(s));
+    const double drift = shows == Shows::energy ? bounds.energy(inertia, s.omega_body, s.time)
+                                                : 2 * bounds.momentum(inertia, s.omega_body, s.time);
+    // Unknown, or so coarse that another check reports it: what that other check lets pass may pass here.
+    return std::isfinite(drift) ? drift : 2 * evidence_.options.drift;
+  }
+
+  /** Ellipsoids that do not change show t = 0: of a free body only. Where several were sent, the one that fits best. */
+  void judgeSemiAxes(Shows shows, std::vector<Check>& checks) {
+    const bool energy = shows == Shows::energy;
+    Judge judge(label(energy ? "energy ellipsoid" : "momentum ellipsoid"), body_.key);
+    judge.ifNothing(std::string("no ") + (energy ? "energy_ellipsoid" : "momentum_ellipsoid") + " marker to compare with");
+    const std::string frame = bodyFrame();
+    for (const State& s : body_.states) {
+      if (!s.flaw.empty() || s.omega_body.norm() == 0) continue;
+      const Expected expected{inertiaOf(s), s, descriptionOf(s).metres_per_radian_per_second};
+      double best = std::numeric_limits<double>::infinity();
+      std::optional<Ellipsoid> found;
+      bool sphere = true;
+      for (const Drawing* d : at(s.stamp, shows)) {
+        const auto drawn = ellipsoidIn(frame, *d, evidence_.transforms, s.stamp);
+        if (!drawn) continue;
+        const Eigen::Matrix3d axes = drawn->axes.linear();
+        const Eigen::Vector3d ratio = drawn->semi.cwiseQuotient(expected.semiAxes(shows, axes));
+        const double off = std::max((ratio.array() - 1).abs().maxCoeff(), expected.skew(axes));
+        if (off < best) {
+          best = off;
+          found = drawn;
+          sphere = d->type == visualization_msgs::Marker::SPHERE;
+        }
+      }
+      if (!found) continue;
+      const double condition = inertia_->moments[2] / inertia_->moments[0];
+      judge.compare(best, kDrawn + 1e-15 * condition + allowed(shows, s), seconds(s.stamp),
+                    [&] { return wrongSize(shows, *found, expected); });
+      if (!sphere) judge.fail(seconds(s.stamp), "the ellipsoid is no SPHERE marker");
+    }
+    checks.push_back(judge.verdict());
+  }
+
+  /** The state at a stamp whose Ω is nearest to what is drawn; stamps may come twice. */
+  const State* stateAt(Stamp stamp, const Eigen::Vector3d& drawn, bool world) const {
+    const auto [begin, end] = states_.equal_range(stamp);
+    const State* best = nullptr;
+    const auto off = [&](const State* s) {
+      const Eigen::Vector3d& omega = world ? s->omega_world : s->omega_body;
+      return (descriptionOf(*s).metres_per_radian_per_second * omega - drawn).norm();
+    };
+    for (auto it = begin; it != end; ++it) {
+      if (it->second->flaw.empty() && (!best || off(it->second) < off(best))) best = it->second;
+    }
+    return best;
+  }
+
+  void judgeOmega(std::vector<Check>& checks) {
+    const bool space = name_ == "space";
+    Judge drawn(label("omega drawn to scale"), body_.key), on(label("omega on both ellipsoids"), body_.key);
+    for (Judge* judge : {&drawn, &on}) judge->ifNothing("no " + name_ + "/omega marker at the stamp of a state");
+    std::int64_t unplaced = 0;
+    std::string unplaced_why;
+    const std::string frame = bodyFrame();
+    for (const Drawing* d : omega_) {
+      const double at_stamp = seconds(d->stamp);
+      const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
+      Eigen::Vector3d centre = Eigen::Vector3d::Zero(), tip = d->position;
+      if (space) {
+        if (d->type != visualization_msgs::Marker::ARROW || d->points.size() != 2) {
+          drawn.fail(at_stamp, "space/omega is not an ARROW from one point to another");
+          continue;
+        }
+        centre = pose * d->points[0];
+        tip = pose * d->points[1];
+      } else if (d->type != visualization_msgs::Marker::SPHERE) {
+        drawn.fail(at_stamp, "model/omega is not a SPHERE");
+        continue;
+      }
+      const State* s = stateAt(d->stamp, tip - centre, space);
+      if (!s) continue;  // judgeStamps reports it
+      if (s->omega_body.norm() == 0) continue;
+      const Eigen::Vector3d wanted =
+          descriptionOf(*s).metres_per_radian_per_second * (space ? s->omega_world : s->omega_body);
+      drawn.compare((tip - wanted).norm() / wanted.norm() + centre.norm() / wanted.norm(), kDrawn, at_stamp, [&] {
+        return name_ + "/omega is drawn at " + triple(tip) + " m" + (centre.norm() > 0 ? " from " + triple(centre) : "") +
+               ", metres_per_radian_per_second times " + (space ? "omega_world" : "omega_body") + " is " + triple(wanted);
+      });
+
+      // Where the point lies in the axes in which the ellipsoids stand still.
+      std::optional<Eigen::Isometry3d> to_body = evidence_.transforms.between(d->frame_id, frame, d->stamp);
+      if (!to_body && space && !evidence_.options.tf) to_body = Eigen::Isometry3d(s->attitude.conjugate());
+      if (!to_body) {
+        if (unplaced++ == 0) unplaced_why = "no tf from " + d->frame_id + " to " + frame + " at the stamp of a marker";
+        continue;
+      }
+      const Eigen::Vector3d point = *to_body * tip;
+      for (const Shows shows : {Shows::energy, Shows::momentum}) {
+        double best = std::numeric_limits<double>::infinity();
+        for (const Drawing* e : at(d->stamp, shows)) {
+          const auto ellipsoid = ellipsoidIn(frame, *e, evidence_.transforms, d->stamp);
+          if (ellipsoid && std::abs(ellipsoid->valueAt(point) - 1) < std::abs(best)) best = ellipsoid->valueAt(point) - 1;
+        }
+        if (!std::isfinite(best)) {
+          if (unplaced++ == 0) unplaced_why = "no ellipsoid to compare with";
+          continue;
+        }
+        const double condition = inertiaOf(*s).moments[2] / inertia_->moments[0];
+        on.compare(std::abs(best), kDrawn + 1e-15 * condition * condition + allowed(shows, *s), at_stamp, [&] {
+          return text("omega lies %s the %s ellipsoid as drawn: sum((x/a)^2) = %.9g", best > 0 ? "outside" : "inside",
+                      shows == Shows::energy ? "energy" : "momentum", 1 + best);
+        });
+      }
+    }
+    const double share = evidence_.options.losses * static_cast<double>(on.count() + unplaced);
+    // Where the recording of tf begins or ends is another check's business: a few at the ends may have none.
+    if (on.count() == 0 && unplaced > 0) {
+      on.ifNothing(unplaced_why);
+    } else if (static_cast<double>(unplaced) > share && unplacedInside()) {
+      on.fail(0, unplaced_why + text(" (%lld of %zu markers)", static_cast<long long>(unplaced), omega_.size()));
+    }
+    checks.push_back(drawn.verdict());
+    checks.push_back(on.verdict());
+  }
+
+  /** Whether a marker lacks its tf although tf was received before and after it. */
+  bool unplacedInside() const {
+    if (name_ != "space" || omega_.empty()) return true;
+    const auto* turning = evidence_.transforms.moving(bodyFrame());
+    if (!turning || turning->empty()) return true;
+    return std::any_of(omega_.begin(), omega_.end(), [turning](const Drawing* d) {
+      return d->stamp >= turning->begin()->first && d->stamp <= turning->rbegin()->first && !turning->count(d->stamp);
+    });
+  }
+
+  void judgePolhode(std::vector<Check>& checks) {
+    Judge judge(label("polhode on both ellipsoids"), body_.key);
+    judge.ifNothing("no " + name_ + "/polhode marker");
+    for (const Drawing* d : polhode_) {
+      const bool line = d->type == visualization_msgs::Marker::LINE_STRIP || d->type == visualization_msgs::Marker::LINE_LIST;
+      const bool points = d->type == visualization_msgs::Marker::SPHERE_LIST || d->type == visualization_msgs::Marker::POINTS;
+      if (!(line && d->points.size() >= 2) && !(points && !d->points.empty())) {
+        judge.fail(seconds(d->stamp), "the polhode is no line of two points or more, and no list of points");
+        continue;
+      }
+      // Of several pairs of ellipsoids that were drawn in turn, the one on which it lies best.
+      double best = std::numeric_limits<double>::infinity(), best_lift = 0;
+      for (const Drawing* e : at(d->stamp, Shows::energy)) {
+        for (const Drawing* m : at(d->stamp, Shows::momentum)) {
+          const auto energy = ellipsoidIn(d->frame_id, *e, evidence_.transforms, d->stamp);
+          const auto momentum = ellipsoidIn(d->frame_id, *m, evidence_.transforms, d->stamp);
+          if (!energy || !momentum) continue;
+          const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
+          double mean = 0;
+          std::vector<double> values;
+          for (const Eigen::Vector3d& p : d->points) {
+            for (const Ellipsoid* ellipsoid : {&*energy, &*momentum}) values.push_back(ellipsoid->valueAt(pose * p));
+          }
+          for (const double value : values) mean += value / static_cast<double>(values.size());
+          const double lift = std::sqrt(mean);
+          double worst = 0;
+          for (const double value : values) worst = std::max(worst, std::abs(value / mean - 1));
+          if (worst < best) {
+            best = worst;
+            best_lift = lift;
+          }
+        }
+      }
+      if (!std::isfinite(best)) continue;
+      judge.compare(best, kPolhode, seconds(d->stamp), [&] {
+        return text("a point of the polhode is off the ellipsoids by %.3g (with the common lift of %.4f undone)", best,
+                    best_lift);
+      });
+      judge.compare(std::max(best_lift - kMostLift, 1 - best_lift), kPolhode, seconds(d->stamp),
+                    [&] { return text("the polhode is drawn at %.4f times its size (1 to %g is lift)", best_lift, kMostLift); });
+    }
+    checks.push_back(judge.verdict());
+  }
+
+  const Evidence& evidence_;
+  const Body& body_;
+  std::string name_;
+  std::vector<const Drawing*> omega_, polhode_, energy_, momentum_;
+  Moving moving_energy_, moving_momentum_;
+  std::multimap<Stamp, const State*> states_;
+  const Description* described_ = nullptr;
+  std::optional<Inertia> inertia_;
+};
+
+/** @param moves whether something drawn of this body must move. */
+void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
+  Judge form("markers well formed", body.key), stamps("marker stamps are states' stamps", body.key, "s");
+  form.ifNothing("no marker of this body was received");
+  stamps.ifNothing("no moving marker of this body was received");
+  std::set<Stamp> of_states;
+  for (const State& s : body.states) of_states.insert(s.stamp);
+  for (const Drawing& d : body.drawings) {
+    const double at = seconds(d.stamp);
+    form.compare(d.flaw.empty() ? 0 : 1, 0, at, [&] { return d.name_space + ": " + d.flaw; });
+    if (d.flaw.empty()) {
+      const double norm = d.orientation_as_sent.norm();
+      form.compare(std::abs(1 - norm), 1e-12, at,
+                   [&] { return text("%s: the quaternion's norm is %.12g", d.name_space.c_str(), norm); });
+    }
+    if (d.stamp == 0 || d.stamp < *of_states.begin() || d.stamp > *of_states.rbegin()) continue;
+    const auto after = of_states.lower_bound(d.stamp);
+    double off = std::abs(seconds(*after - d.stamp));
+    if (after != of_states.begin()) off = std::min(off, std::abs(seconds(d.stamp - *std::prev(after))));
+    stamps.compare(off, 0, at, [&] { return text("no state has a marker's stamp; the nearest is %.1f ms off", 1e3 * off); });
+  }
+  checks.push_back(form.verdict());
+  if (moves || stamps.count() > 0) checks.push_back(stamps.verdict());
+}
+
+/** True when Ω moves in the body, so that it has a polhode that is more than a point. */
+bool omegaMoves(const Body& body) {
+  const State* first = nullptr;
+  for (const State& s : body.states) {
+    if (!s.flaw.empty()) continue;
+    if (!first) first = &s;
+    if ((s.omega_body - first->omega_body).norm() > 1e-3 * first->omega_body.norm()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks) {
+  const Body& body = evidence.body;
+  const auto& descriptions = body.descriptions;
+  const bool free = std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
+  const bool turns = std::any_of(body.states.begin(), body.states.end(),
+                                 [](const State& s) { return s.flaw.empty() && s.omega_body.norm() > 0; });
+  judgeMarkerForm(body, free && turns, checks);
+  if (!turns) return;  // at rest: ellipsoids of no size
+  for (const char* name : {"model", "space"}) {
+    Picture picture(evidence, name);
+    // Poinsot's construction is a free body's; of others only what is drawn is judged.
+    if (free || !picture.empty()) picture.judge(free && omegaMoves(body), checks);
+  }
+}
+
+}  // namespace poinsot::audit

@@ -1,0 +1,74 @@
+#include "poinsot/ros/conversions.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace poinsot::node {
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& v) {
+  geometry_msgs::Point out;
+  out.x = v.x();
+  out.y = v.y();
+  out.z = v.z();
+  return out;
+}
+
+geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 out;
+  out.x = v.x();
+  out.y = v.y();
+  out.z = v.z();
+  return out;
+}
+
+geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& q) {
+  geometry_msgs::Quaternion out;
+  out.x = q.x();
+  out.y = q.y();
+  out.z = q.z();
+  out.w = q.w();
+  return out;
+}
+
+geometry_msgs::Transform toTransform(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation) {
+  geometry_msgs::Transform out;
+  out.translation = toVector3(translation);
+  out.rotation = toQuaternion(rotation);
+  return out;
+}
+
+YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& place) {
+  using XmlRpc::XmlRpcValue;
+  YAML::Node node;
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      node = static_cast<bool>(value) ? "true" : "false";
+      break;
+    case XmlRpcValue::TypeInt:
+      node = std::to_string(static_cast<int>(value));
+      break;
+    case XmlRpcValue::TypeDouble: {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.17g", static_cast<double>(value));
+      node = text;
+      break;
+    }
+    case XmlRpcValue::TypeString:
+      node = static_cast<std::string>(value);
+      node.SetTag("!");  // YAML's mark of a text that is no boolean, number or null
+      break;
+    case XmlRpcValue::TypeArray:
+      node = YAML::Node(YAML::NodeType::Sequence);
+      for (int i = 0; i < value.size(); ++i) node.push_back(toYaml(value[i], place + "[" + std::to_string(i) + "]"));
+      break;
+    case XmlRpcValue::TypeStruct:
+      node = YAML::Node(YAML::NodeType::Map);
+      for (auto& [key, member] : value) node[key] = toYaml(member, place + "." + key);
+      break;
+    default:
+      throw std::invalid_argument(place + ": dates and binary data have no place in a scene");
+  }
+  return node;
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,36 @@
+#include "poinsot/ros/cost_meter.h"
+
+#include <time.h>
+
+#include <cmath>
+
+namespace poinsot::node {
+namespace {
+
+constexpr int kTrialSteps = 2000;
+constexpr double kRenewAfter = 1.0;  // simulated seconds
+
+}  // namespace
+
+double threadCpuTime() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+CostMeter::CostMeter(Motion motion) {
+  const double simulated = kTrialSteps * motion.setup().step;
+  const double begin = threadCpuTime();
+  motion.at(simulated);
+  cost_ = (threadCpuTime() - begin) / simulated;
+}
+
+void CostMeter::add(double cpu, double simulated) {
+  cpu_ += cpu;
+  simulated_ += std::abs(simulated);
+  if (simulated_ < kRenewAfter) return;
+  cost_ = cpu_ / simulated_;
+  cpu_ = simulated_ = 0;
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,247 @@
+#include "poinsot/ros/node.h"
+
+#include <ros/spinner.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "poinsot/ros/names.h"
+
+namespace poinsot::node {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+constexpr int kMarkerQueue = 100;
+constexpr int kControlQueue = 100;
+constexpr double kMostSeekSteps = 1e9;
+constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
+constexpr double kMostLoad = 0.8;             // of one core, for what a speed may ask of the steppers
+
+Pacer::Mode pacing(bool publish_clock) {
+  if (publish_clock) return Pacer::Mode::own_clock;
+  return ros::Time::isSimTime() ? Pacer::Mode::foreign_clock : Pacer::Mode::wall;
+}
+
+/** Begins an array that may meet markers of an earlier scene in a viewer. */
+MarkerArray cleared() {
+  MarkerArray out;
+  Marker clear;
+  clear.action = Marker::DELETEALL;
+  clear.pose.orientation.w = 1;
+  out.markers.push_back(clear);
+  return out;
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+}  // namespace
+
+Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : clock_(1 / parameters.rate),
+      pacer_(pacing(parameters.publish_clock), parameters.rate),
+      rate_(parameters.rate),
+      handle_(handle),
+      private_handle_(private_handle),
+      diagnostics_(handle, private_handle) {
+  for (const std::string& warning : parameters.scene.warnings) ROS_WARN("%s", warning.c_str());
+  if (parameters.publish_clock) {
+    if (!ros::Time::isSimTime()) ROS_WARN("~publish_clock is on, but /use_sim_time is not set: nobody follows /clock");
+    clock_publisher_ = handle_.advertise<rosgraph_msgs::Clock>(names::kClock, 10);
+  }
+  markers_publisher_ = handle_.advertise<MarkerArray>(names::kMarkers, kMarkerQueue);
+  markers_static_publisher_ = handle_.advertise<MarkerArray>(names::kMarkersStatic, 1, true);
+
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("ticks", this, &Node::diagnoseTicks);
+  for (const scene::Body& body : parameters.scene.bodies) {
+    bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, handle_));
+    const Body* added = bodies_.back().get();
+    diagnostics_.add("body " + body.name, [added](diagnostic_updater::DiagnosticStatusWrapper& status) {
+      const MotionSetup& setup = added->motion().setup();
+      status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%s, step %g s", setup.method.c_str(), setup.step);
+      status.addf("simulation time [s]", "%.9g", added->state().time);
+      status.addf("energy drift", "%.3g", added->energyDrift());
+      status.addf("momentum drift", "%.3g", added->momentumDrift());
+      status.addf("cost [CPU s per simulated s]", "%.3g", added->cost().cost());
+    });
+  }
+
+  services_ = {private_handle_.advertiseService(names::kPause, &Node::onPause, this),
+               private_handle_.advertiseService(names::kStep, &Node::onStep, this),
+               private_handle_.advertiseService(names::kReset, &Node::onReset, this)};
+  subscribers_ = {private_handle_.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
+                  private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
+}
+
+void Node::run() {
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    publishStatic();
+  }
+  while (pacer_.wait()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    tick();
+    diagnostics_.update();
+  }
+  spinner.stop();
+}
+
+void Node::tick() {
+  const ros::Time now = pacer_.stamp();
+  if (now.isZero()) return;  // a foreign clock that has not begun
+  if (clock_publisher_) {
+    rosgraph_msgs::Clock message;
+    message.clock = now;
+    clock_publisher_.publish(message);
+  }
+  if (clock_.jumpedBack(now)) {
+    ROS_WARN("ROS time jumped back: what is static is sent again, and a new segment begins");
+    clock_.restartStamps();
+    publishStatic();
+  }
+  takeFinishedSeek();
+  const std::optional<Tick> tick = clock_.tick(now);
+  if (!tick) return;
+
+  transforms_.clear();
+  for (const auto& body : bodies_) {
+    body->move(*tick);
+    body->appendTransforms(tick->stamp, transforms_);
+  }
+  broadcaster_.sendTransform(transforms_);
+  for (const auto& body : bodies_) body->publish(*tick);
+  publishMarkers(*tick);
+}
+
+void Node::publishStatic() {
+  const ros::Time stamp = pacer_.stamp();
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  MarkerArray markers = cleared();
+  for (const auto& body : bodies_) {
+    body->appendStaticTransforms(stamp, transforms);
+    body->picture().appendStatic(markers);
+    body->publishDescription();
+  }
+  // One message for all: whoever replays a bag gets the last one of a latched topic only.
+  static_broadcaster_.sendTransform(transforms);
+  markers_static_publisher_.publish(markers);
+}
+
+void Node::publishMarkers(const Tick& tick) {
+  const bool watched = markers_publisher_.getNumSubscribers() > 0;
+  if (watched) {
+    MarkerArray markers = markers_watched_ ? MarkerArray() : cleared();
+    for (const auto& body : bodies_) body->picture().appendMoving(tick, body->state(), markers);
+    if (!markers.markers.empty()) markers_publisher_.publish(markers);
+  } else if (markers_watched_) {
+    for (const auto& body : bodies_) body->picture().clearTrail();
+  }
+  markers_watched_ = watched;
+}
+
+void Node::takeFinishedSeek() {
+  const std::optional<Seeker::Result> result = seeker_.poll();
+  if (!result) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(result->motions[i]);
+  clock_.jumpTo(result->time);
+}
+
+bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  clock_.pause(request.data);
+  response.success = true;
+  response.message = std::string(request.data ? "paused" : "playing") + " at t = " + shown(clock_.time()) + " s";
+  return true;
+}
+
+bool Node::onStep(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  response.success = clock_.paused();
+  if (response.success) {
+    clock_.step();
+    response.message = "advancing by " + shown(1 / rate_) + " s";
+  } else {
+    response.message = "not paused: call ~pause with data: true first";
+  }
+  return true;
+}
+
+bool Node::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seeker_.cancel();
+  clock_.jumpTo(0);
+  response.success = true;
+  response.message = "back to t = 0";
+  return true;
+}
+
+void Node::onSpeed(const std_msgs::Float64& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!std::isfinite(message.data)) {
+    ROS_ERROR("speed %g refused: a finite number is allowed", message.data);
+    return;
+  }
+  double cost = 0;
+  for (const auto& body : bodies_) cost += body->cost().cost();
+  if (cost * std::abs(message.data) > kMostLoad) {
+    ROS_ERROR("speed %g refused: this scene costs %g CPU s per simulated s; up to %.3g is allowed here", message.data,
+              cost, kMostLoad / cost);
+    return;
+  }
+  clock_.setSpeed(message.data);
+}
+
+void Node::onSeek(const std_msgs::Float64& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double time = message.data;
+  if (!std::isfinite(time)) {
+    ROS_ERROR("seek to %g refused: a finite time is allowed", time);
+    return;
+  }
+  double total = 0;
+  for (const auto& body : bodies_) {
+    const double steps = body->motion().stepsTo(time);
+    if (steps > kMostSeekSteps) {
+      ROS_ERROR("seek to %g s refused: body %s under %s would take %.3g steps of %g s; at most %g are allowed", time,
+                body->name().c_str(), body->motion().setup().method.c_str(), std::abs(time) / body->motion().setup().step,
+                body->motion().setup().step, kMostSeekSteps);
+      return;
+    }
+    total += steps;
+  }
+  seeker_.cancel();
+  if (total <= kBackgroundSeekSteps) {
+    clock_.jumpTo(time);
+    return;
+  }
+  ROS_INFO("seek to %g s takes %.3g steps; playing on meanwhile", time, total);
+  std::vector<Motion> motions;
+  for (const auto& body : bodies_) motions.push_back(body->motion());
+  seeker_.start(std::move(motions), time);
+}
+
+void Node::diagnoseTicks(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const Punctuality p = pacer_.takePunctuality();
+  const bool late = p.ticks > 0 && p.rate < 0.9 * rate_ && pacer_.mode() != Pacer::Mode::foreign_clock;
+  status.summary(late ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+                 late ? "slower than asked" : "on time");
+  status.addf("rate asked [Hz]", "%g", rate_);
+  status.addf("rate [Hz]", "%.6g", p.rate);
+  status.addf("jitter, standard deviation [s]", "%.3g", p.jitter);
+  status.addf("lateness, mean [s]", "%.3g", p.mean_lateness);
+  status.addf("lateness, worst [s]", "%.3g", p.worst);
+  status.add("paused", clock_.paused() ? "yes" : "no");
+  status.addf("speed", "%g", clock_.speed());
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,90 @@
+#include "poinsot/ros/parameters.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/scene/reader.h"
+
+namespace poinsot::node {
+namespace {
+
+std::string shown(const XmlRpc::XmlRpcValue& value) {
+  std::ostringstream out;
+  value.write(out);
+  return out.str();
+}
+
+/** Calls `use` with the value of a parameter that is set. */
+template <class Use>
+void ifSet(const ros::NodeHandle& handle, const char* name, Use use) {
+  XmlRpc::XmlRpcValue value;
+  if (handle.getParam(name, value)) use(value);
+}
+
+[[noreturn]] void refuse(const char* name, const XmlRpc::XmlRpcValue& value, const std::string& allowed) {
+  throw ParameterError("parameter ~" + std::string(name) + ": " + shown(value) + " is not allowed; " + allowed + " is");
+}
+
+double readRate(XmlRpc::XmlRpcValue& value) {
+  double rate = std::nan("");
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeDouble) rate = static_cast<double>(value);
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) rate = static_cast<int>(value);
+  if (!(rate > 0) || !std::isfinite(rate)) refuse(names::kRate, value, "a positive finite number (Hz)");
+  return rate;
+}
+
+std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::string& allowed) {
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, value, allowed);
+  return static_cast<std::string>(value);
+}
+
+std::string readPrefix(XmlRpc::XmlRpcValue& value) {
+  const std::string allowed = "a text of letters, digits, _ and /, that begins with a letter";
+  const std::string prefix = readText(names::kFramePrefix, value, allowed);
+  const bool good = std::all_of(prefix.begin(), prefix.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '/';
+  });
+  if (!good || (!prefix.empty() && !std::isalpha(static_cast<unsigned char>(prefix[0])))) {
+    refuse(names::kFramePrefix, value, allowed);
+  }
+  return prefix;
+}
+
+}  // namespace
+
+Parameters readParameters(const ros::NodeHandle& handle) {
+  Parameters out;
+  const bool has_tree = handle.hasParam(names::kScene);
+  const bool has_file = handle.hasParam(names::kSceneFile);
+  const std::string here = handle.getNamespace();
+  if (has_tree == has_file) {
+    throw ParameterError(here + ": " + (has_tree ? "both" : "neither") +
+                         " ~scene (the tree of a scene file) and ~scene_file (its path) are set; one of them must be");
+  }
+  ifSet(handle, names::kScene, [&](XmlRpc::XmlRpcValue& value) {
+    const std::string source = "parameter " + here + "/" + names::kScene;
+    try {
+      out.scene = scene::readTree(toYaml(value, source), source);
+    } catch (const std::invalid_argument& error) {
+      throw ParameterError(error.what());
+    }
+  });
+  ifSet(handle, names::kSceneFile, [&](XmlRpc::XmlRpcValue& value) {
+    out.scene = scene::readFile(readText(names::kSceneFile, value, "the path of a scene file"));
+  });
+
+  if (out.scene.rate) out.rate = *out.scene.rate;
+  ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
+  ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
+    if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
+    out.publish_clock = static_cast<bool>(value);
+  });
+  ifSet(handle, names::kFramePrefix, [&](XmlRpc::XmlRpcValue& value) { out.frame_prefix = readPrefix(value); });
+  return out;
+}
+
+}  // namespace poinsot::node

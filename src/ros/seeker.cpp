@@ -1,0 +1,30 @@
+#include "poinsot/ros/seeker.h"
+
+#include <chrono>
+#include <utility>
+
+namespace poinsot::node {
+
+void Seeker::start(std::vector<Motion> motions, double time) {
+  cancel();
+  work_ = std::async(std::launch::async, [this, motions = std::move(motions), time]() mutable -> std::optional<Result> {
+    for (Motion& motion : motions) {
+      if (!motion.prepare(time, cancelled_)) return std::nullopt;
+    }
+    return Result{time, std::move(motions)};
+  });
+}
+
+void Seeker::cancel() {
+  if (!work_.valid()) return;
+  cancelled_ = true;
+  work_.get();
+  cancelled_ = false;
+}
+
+std::optional<Seeker::Result> Seeker::poll() {
+  if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+  return work_.get();
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,76 @@
+#include "poinsot/ros/simulation_clock.h"
+
+namespace poinsot::node {
+
+SimulationClock::SimulationClock(double step_length) : step_length_(step_length) {}
+
+void SimulationClock::pause(bool paused) {
+  paused_ = paused;
+  steps_left_ = 0;
+}
+
+void SimulationClock::step() {
+  if (paused_) ++steps_left_;
+}
+
+void SimulationClock::setSpeed(double speed) { speed_ = speed; }
+
+void SimulationClock::jumpTo(double t) {
+  jump_ = t;
+  steps_left_ = 0;
+}
+
+void SimulationClock::restartStamps() {
+  started_ = false;
+  new_segment_ = true;
+}
+
+void SimulationClock::anchorHere() {
+  anchor_stamp_ = stamp_;
+  anchor_time_ = time_;
+}
+
+std::optional<Tick> SimulationClock::tick(const ros::Time& now) {
+  if (!started_) {
+    started_ = true;
+    stamp_ = now;
+    step_end_.reset();
+    anchorHere();
+  } else {
+    if (now <= stamp_) return std::nullopt;
+    const bool step_done = step_end_ && *step_end_ <= now;
+    stamp_ = step_done ? *step_end_ : now;
+    time_ = step_done ? anchor_time_ + step_length_ : anchor_time_ + rate_ * (stamp_ - anchor_stamp_).toSec();
+    if (step_done) {
+      step_end_.reset();
+      if (steps_left_ > 0) --steps_left_;
+      anchorHere();
+    }
+  }
+
+  if (jump_) {
+    time_ = *jump_;
+    jump_.reset();
+    step_end_.reset();
+    new_segment_ = true;
+    anchorHere();
+  }
+  if (new_segment_) ++segment_;
+  new_segment_ = false;
+
+  const bool stepping = paused_ && steps_left_ > 0;
+  const double rate = stepping ? 1.0 : paused_ ? 0.0 : speed_;
+  if (rate != rate_) {
+    rate_ = rate;
+    anchorHere();
+  }
+  if (!stepping) {
+    step_end_.reset();
+  } else if (!step_end_) {
+    anchorHere();
+    step_end_ = stamp_ + ros::Duration(step_length_);
+  }
+  return Tick{stamp_, time_, rate_, segment_};
+}
+
+}  // namespace poinsot::node

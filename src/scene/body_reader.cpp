@@ -1,0 +1,90 @@
+#include "body_reader.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "effect_reader.h"
+#include "fields.h"
+#include "inertia_reader.h"
+#include "method_reader.h"
+#include "number.h"
+#include "shape_reader.h"
+#include "words.h"
+
+namespace poinsot::scene {
+namespace {
+
+const char* const kAllowedBody = "a body, such as {name: brick, inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}";
+
+/** The place with the body's name, if there is anything like one, for all messages that follow. */
+Place withName(const Place& place) {
+  if (!place.node().IsMap()) return place;
+  const YAML::Node name = place.node()["name"];
+  return name.IsDefined() && name.IsScalar() ? place.called(name.Scalar()) : place;
+}
+
+void checkKeys(const Fields& fields) {
+  std::vector<std::string> keys = {"name",   "inertia", "shape",  "attitude", "angular_velocity",
+                                   "method", "step",    "effects"};
+  // Known to be refused with a reason of their own, so they are not offered.
+  for (const char* key : {"accuracy", "horizon"}) {
+    if (fields.find(key)) keys.push_back(key);
+  }
+  fields.allowOnly(keys);
+}
+
+void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::string>& warnings) {
+  const auto inertia = fields.find("inertia");
+  const auto shape = fields.find("shape");
+  if (inertia && shape) fields.place().refuse("both inertia and shape are given", "exactly one of inertia, shape");
+  if (!inertia && !shape) {
+    fields.place().refuse("the key inertia or shape is missing", "exactly one of inertia, shape");
+  }
+  if (inertia) {
+    body.inertia = readInertia(*inertia);
+  } else {
+    body.shape = readShape(*shape);
+    try {
+      body.inertia = PrincipalInertia::fromTensor(body.shape->inertiaTensor());
+    } catch (const std::invalid_argument& objection) {
+      shape->refuse(objection.what(), "lengths and masses whose volumes and moments doubles can hold");
+    }
+  }
+  if (!body.inertia.satisfiesTriangleInequality()) {
+    const Eigen::Vector3d& m = body.inertia.moments();
+    warnings.push_back(
+        (inertia ? inertia : shape)
+            ->message(
+                "the principal moments " + shownNumber(m[0]) + ", " + shownNumber(m[1]) + ", " + shownNumber(m[2]) +
+                " kg·m² are those of no real body (one exceeds the sum of the other two); simulated all the same"));
+  }
+}
+
+void readAngularVelocity(const Fields& fields, Body& body) {
+  const Quantity& quantity = quantity::kAngularVelocity;
+  const Place place = fields.require("angular_velocity", allowedNumbers(3, quantity));
+  body.omega_body = readVector(place, quantity);
+  const Eigen::Vector3d momentum = body.inertia.tensor() * body.omega_body;
+  if (!std::isfinite(body.omega_body.dot(momentum)) || !std::isfinite(momentum.squaredNorm())) {
+    place.refuse("with this inertia the energy or the squared momentum is not finite",
+                 "3 numbers (rad/s) for which both stay finite");
+  }
+}
+
+}  // namespace
+
+Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
+  const Fields fields(withName(unnamed), kAllowedBody);
+  checkKeys(fields);
+
+  Body body;
+  body.name = readName(fields.require("name", "a letter, then letters, digits and underscores"));
+  readInertiaOrShape(fields, body, warnings);
+  if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
+  readAngularVelocity(fields, body);
+  readMethod(fields, body);
+  if (const auto effects = fields.find("effects")) readEffects(*effects, body);
+  return body;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,114 @@
+#include "poinsot/scene/reader.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "body_reader.h"
+#include "fields.h"
+#include "number.h"
+
+namespace poinsot::scene {
+namespace {
+
+const char* const kWorldFrame = "world";
+
+/** Who has which frame, by the place of its name. */
+class Frames {
+ public:
+  /** Takes the frames of a body; refuses a body of which another, or the world, has one already. */
+  void claim(const std::string& body, const Place& name) {
+    for (const char* suffix : {"", "_space", "_model", "_space_body"}) {
+      const std::string frame = body + suffix;
+      const auto [taken, is_new] = owners_.emplace(frame, body);
+      if (is_new) continue;
+      if (taken->second == body) name.refuse("a second body is called " + body, "a name that no other body has");
+      const std::string owner = frame == kWorldFrame ? "the fixed frame" : "a frame of the body " + taken->second;
+      name.refuse("the frame " + frame + " of the body " + body + " is also " + owner,
+                  "a name that keeps <name>, <name>_space, <name>_model and <name>_space_body apart from other frames");
+    }
+  }
+
+ private:
+  std::map<std::string, std::string> owners_ = {{kWorldFrame, ""}};  // frame → body
+};
+
+Scene readScene(const Place& top) {
+  const Fields fields(top, "a map with the keys rate, bodies");
+  fields.allowOnly({"rate", "bodies"});
+
+  Scene scene;
+  if (const auto rate = fields.find("rate")) scene.rate = readNumber(*rate, quantity::kRate);
+
+  const char* const allowed = "a list of at least one body";
+  const Place bodies = fields.require("bodies", allowed);
+  bodies.requireList(allowed);
+  if (bodies.node().size() == 0) bodies.refuse("an empty list has no bodies", allowed);
+  Frames frames;
+  for (std::size_t i = 0; i < bodies.node().size(); ++i) {
+    const Place place = bodies.item(i);
+    scene.bodies.push_back(readBody(place, scene.warnings));
+    const std::string& name = scene.bodies.back().name;
+    frames.claim(name, place.called(name).under(YAML::Node("name"), place.node()["name"]));
+  }
+  return scene;
+}
+
+std::string contentsOf(const std::string& path) {
+  const auto refuse = [&]() {
+    const std::string why = std::strerror(errno);
+    throw Error(path + ": cannot be read, " + why + "; allowed: a readable scene file");
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) refuse();
+  std::string text;
+  char buffer[4096];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, count);
+  if (std::ferror(file.get())) refuse();
+  return text;
+}
+
+/** yaml-cpp takes some control characters as the end of the file and would drop the rest without a word. */
+void refuseControlCharacters(const std::string& text, const std::string& source) {
+  int line = 1;
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t') {
+      throw Error(source + ":" + std::to_string(line) + ": a control character; allowed: YAML text in UTF-8");
+    }
+  }
+}
+
+YAML::Node parsed(const std::string& text, const std::string& source) {
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    const std::string line = error.mark.is_null() ? "" : ":" + std::to_string(error.mark.line + 1);
+    throw Error(source + line + ": not YAML, " + error.msg + "; allowed: one YAML document");
+  }
+  if (documents.empty()) throw Error(source + ": the file is empty; allowed: a map with the keys rate, bodies");
+  if (documents.size() > 1) {
+    throw Error(source + ": the file holds " + std::to_string(documents.size()) +
+                " YAML documents; allowed: one YAML document");
+  }
+  return documents.front();
+}
+
+}  // namespace
+
+Scene readFile(const std::string& path) {
+  const std::string text = contentsOf(path);
+  refuseControlCharacters(text, path);
+  return readTree(parsed(text, path), path);
+}
+
+Scene readTree(const YAML::Node& tree, const std::string& source) {
+  if (!tree.IsDefined()) throw Error(source + ": nothing is there; allowed: a map with the keys rate, bodies");
+  return readScene(Place(tree, source));
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,109 @@
+#include "csv_rows.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+namespace poinsot::tools {
+namespace {
+
+constexpr char kBlanks[] = " \t";
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.find(',', begin);
+    cells.push_back(line.substr(begin, comma - begin));
+    if (comma == std::string::npos) return cells;
+    begin = comma + 1;
+  }
+}
+
+/** Hands out the lines that are neither comments nor blank. */
+class Lines {
+ public:
+  explicit Lines(std::istream& in) : in_(in) {}
+
+  bool next(std::string& line) {
+    while (std::getline(in_, line)) {
+      ++number_;
+      if (number_ == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // a byte order mark
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      const std::size_t first = line.find_first_not_of(kBlanks);
+      if (first == std::string::npos || line[first] == '#') continue;
+      if (line.find('"') != std::string::npos) throw CsvError(number_, "quotes are not understood; write cells without");
+      return true;
+    }
+    return false;
+  }
+
+  long number() const { return number_; }
+
+ private:
+  std::istream& in_;
+  long number_ = 0;
+};
+
+/** Where each wanted column stands in the header. */
+std::vector<std::size_t> places(long line, const std::vector<std::string>& header,
+                                const std::vector<std::string>& columns) {
+  std::vector<std::size_t> out;
+  std::string missing;
+  for (const std::string& column : columns) {
+    const auto found = std::find(header.begin(), header.end(), column);
+    if (found == header.end()) {
+      missing += (missing.empty() ? "" : ", ") + column;
+    } else if (std::find(found + 1, header.end(), column) != header.end()) {
+      throw CsvError(line, "the header has column " + column + " twice");
+    }
+    out.push_back(found - header.begin());
+  }
+  if (!missing.empty()) throw CsvError(line, "the header lacks " + missing);
+  return out;
+}
+
+}  // namespace
+
+std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>& columns) {
+  Lines lines(in);
+  std::string line;
+  if (!lines.next(line)) throw CsvError(lines.number() + 1, "there is no header");
+  std::vector<std::string> header = split(line);
+  for (std::string& name : header) name = trimmed(name);
+  const std::vector<std::size_t> wanted = places(lines.number(), header, columns);
+
+  std::vector<CsvRow> rows;
+  while (lines.next(line)) {
+    const std::vector<std::string> cells = split(line);
+    if (cells.size() != header.size()) {
+      throw CsvError(lines.number(), "the row has " + std::to_string(cells.size()) + " cells, the header has " +
+                                         std::to_string(header.size()));
+    }
+    CsvRow row{lines.number(), {}};
+    for (const std::size_t place : wanted) row.cells.push_back(cells[place]);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+double parseNumber(const std::string& text) {
+  const std::string number = trimmed(text);
+  if (number.empty()) throw std::invalid_argument("is empty");
+  // strtod rounds correctly and reads hexadecimal; no program here calls setlocale(), so its point is '.'. It would skip
+  // leading white space of other kinds, and stop at a NUL.
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  const bool whole = end == number.c_str() + number.size() && !std::isspace(static_cast<unsigned char>(number[0]));
+  if (!whole) throw std::invalid_argument("is \"" + number + "\", not a number");
+  if (!std::isfinite(value)) throw std::invalid_argument("is " + number + ", not a finite number");
+  return value;
+}
+
+}  // namespace poinsot::tools

@@ -1,0 +1,56 @@
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/node_handle.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "poinsot/ros/node.h"
+#include "poinsot/scene/reader.h"
+
+namespace {
+
+constexpr int kBadUse = 2;
+
+int check(const std::string& file) {
+  try {
+    for (const std::string& warning : poinsot::scene::readFile(file).warnings) std::cerr << warning << "\n";
+    return 0;
+  } catch (const poinsot::scene::Error& error) {
+    std::cerr << error.what() << "\n";
+    return kBadUse;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::V_string words;
+  ros::removeROSArgs(argc, argv, words);
+  std::vector<std::string> arguments(words.rbegin(), words.rend() - 1);  // CLI11 takes them back to front
+
+  CLI::App app("Moves the rigid bodies of a scene and publishes their motion. Parameters: ~scene or ~scene_file, ~rate, "
+               "~publish_clock, ~frame_prefix.",
+               "poinsot_node");
+  std::string file;
+  app.add_option("--check", file, "only read and validate this scene file: exit 0 when it is good, 2 when not");
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kBadUse;
+  }
+  if (!file.empty()) return check(file);
+
+  ros::init(argc, argv, "poinsot");
+  try {
+    ros::NodeHandle handle, private_handle("~");
+    poinsot::node::Node(poinsot::node::readParameters(private_handle), handle, private_handle).run();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return kBadUse;
+  }
+  return 0;
+}

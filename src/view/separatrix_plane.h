@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "even_spread.h"
+#include "sorted_axes.h"
+
+namespace poinsot::view {
+
+/**
+ * One of the two planes through the intermediate axis that hold the separatrix F = 2E I₂, and the ellipse in it:
+ *   Ω₂ = √(2E/I₂) c,   (Ω₁, Ω₃) = √(2E/(I₃−I₁)) s (√((I₃−I₂)/I₁), ±√((I₂−I₁)/I₃)).
+ * I₁ < I₂ < I₃; sums and roots of positive terms only.
+ */
+class SeparatrixPlane {
+ public:
+  /** @param root √(2E) [for the moments as scaled in `axes`]; @param sign1, sign3: of Ω₁ and Ω₃ where s > 0. */
+  SeparatrixPlane(const SortedAxes& axes, double root, double sign1, double sign3) : axes_(axes) {
+    const auto& m = axes.moment;
+    const double common = root / std::sqrt(m[2] - m[0]);
+    size_ = {sign1 * common * (std::sqrt(m[2] - m[1]) / std::sqrt(m[0])), root / std::sqrt(m[1]),
+             sign3 * common * (std::sqrt(m[1] - m[0]) / std::sqrt(m[2]))};
+  }
+
+  /** In the caller's order of axes. */
+  Eigen::Vector3d operator()(const Direction& d) const {
+    Eigen::Vector3d out;
+    out[axes_.index[0]] = d.s * size_[0];
+    out[axes_.index[1]] = d.c * size_[1];
+    out[axes_.index[2]] = d.s * size_[2];
+    return out;
+  }
+
+ private:
+  SortedAxes axes_;
+  Eigen::Vector3d size_;
+};
+
+}  // namespace poinsot::view

@@ -1,0 +1,474 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "stream.h"
+
+namespace poinsot::test {
+namespace {
+
+using audit::Options;
+using audit::Report;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+const Quaterniond kTilted = Quaterniond(1, 2, 3, 4).normalized();
+const Vector3d kOmega(0.6, 1.1, -2.3);
+
+Stream asymmetric(const std::vector<Tick>& ticks = steadily(150), BodySetup setup = {}) {
+  return {setup, anyBody(setup.tensor(), kTilted, kOmega), ticks};
+}
+
+std::string print(const Report& report) {
+  std::ostringstream out;
+  out << report;
+  return out.str();
+}
+
+void expectPass(const Report& report) { EXPECT_TRUE(report.passed()) << print(report); }
+
+/** Exactly these checks fail, and one of them says this (a regular expression). */
+void expectFailures(const Report& report, const std::set<std::string>& names, const std::string& words) {
+  std::set<std::string> failed;
+  bool said = false;
+  for (const audit::Check& check : report.failures()) {
+    failed.insert(check.name);
+    said = said || std::regex_search(check.detail, std::regex(words));
+  }
+  EXPECT_EQ(failed, names) << print(report);
+  EXPECT_TRUE(said) << "nobody says \"" << words << "\"\n" << print(report);
+}
+
+const char* const kRotation = "dR/dstamp = time_rate R hat(omega)";
+const char* const kTime = "time advances by time_rate";
+const char* const kDriftFields = "energy_drift and momentum_drift";
+
+// What must pass.
+
+TEST(Correct, AsymmetricBody) {
+  const Report report = asymmetric().judged();
+  expectPass(report);
+  EXPECT_EQ(report.find("E conserved")->count, 150);
+  EXPECT_EQ(report.find("tf = state")->count, 300);
+  EXPECT_EQ(report.find(kRotation)->count, 149);
+  EXPECT_EQ(report.find("omega on both ellipsoids (space)")->count, 300);
+  EXPECT_EQ(report.find("omega on both ellipsoids (model)")->count, 300);
+  EXPECT_EQ(report.find("polhode on both ellipsoids (model)")->count, 2);
+}
+
+TEST(Correct, AxesThatAreNotPrincipal) {
+  BodySetup setup;
+  setup.axes = Quaterniond(0.3, -0.4, 0.7, 0.1).normalized();
+  expectPass(asymmetric(steadily(100), setup).judged());
+}
+
+TEST(Correct, SymmetricTopToRoundoff) {
+  BodySetup setup;
+  setup.moments = {2, 2, 3};
+  setup.method = "closed_form";
+  const Report report = Stream(setup, symmetricTop(2, 3, kTilted, kOmega), steadily(300)).judged();
+  expectPass(report);
+  EXPECT_LT(report.find("E conserved")->bound, 1e-12);
+  EXPECT_LT(report.find(kRotation)->bound, 1e-7);
+}
+
+TEST(Correct, ClosedFormFarFromTheStart) {
+  BodySetup setup;
+  setup.moments = {2, 2, 3};
+  setup.method = "closed_form";
+  expectPass(Stream(setup, symmetricTop(2, 3, kTilted, kOmega), steadily(60, 1000)).judged());
+}
+
+TEST(Correct, FastSpin) {
+  BodySetup setup;
+  setup.moments = {2, 2, 3};
+  setup.method = "closed_form";
+  expectPass(Stream(setup, symmetricTop(2, 3, kTilted, {10, 20, 100}), steadily(60)).judged());
+}
+
+TEST(Correct, AtRest) {
+  BodySetup setup;
+  setup.method = "closed_form";
+  expectPass(Stream(setup, anyBody(setup.tensor(), kTilted, Vector3d::Zero()), steadily(30)).judged());
+}
+
+TEST(Correct, Translation) {
+  BodySetup setup;
+  setup.effects = {"translation: a throw"};
+  setup.velocity = {1, -2, 5};
+  setup.acceleration = {0, 0, -9.81};
+  expectPass(asymmetric(steadily(100), setup).judged());
+}
+
+TEST(Correct, TwoNodesWithPrefixes) {
+  BodySetup a, b;
+  a.ns = "/a";
+  a.prefix = "a/";
+  b.ns = "/b";
+  b.prefix = "b/";
+  b.moments = {1, 1.5, 2};
+  audit::Audit audit, bare(Options{1e-3, true, false, true, 2, 0});
+  Stream first = asymmetric(steadily(60), a), second = asymmetric(steadily(60), b);
+  first.feed(audit);
+  second.feed(audit);
+  expectPass(audit.report());
+  EXPECT_NE(audit.report().find("tf = state", "/a/wingnut"), nullptr);
+  EXPECT_NE(audit.report().find("tf = state", "/b/wingnut"), nullptr);
+  // Without odometry to name the frames, each body finds the one that turns as it does.
+  first.odometry.clear();
+  second.odometry.clear();
+  first.feed(bare);
+  second.feed(bare);
+  expectPass(bare.report());
+}
+
+/** Every command takes effect at a message: rates change there, a pause holds, a step runs for 1/60 s. */
+TEST(Correct, SpeedPauseStepBackwards) {
+  std::vector<Tick> ticks = steadily(200);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    ticks[i].time_rate = i < 40 ? 1 : i < 80 ? 2.5 : i < 110 ? 0 : i == 110 ? 1 : i < 140 ? 0 : -2;
+    if (i > 0) {
+      ticks[i].time = ticks[i - 1].time + ticks[i - 1].time_rate * 1e-9 * static_cast<double>(ticks[i].stamp - ticks[i - 1].stamp);
+    }
+  }
+  expectPass(asymmetric(ticks).judged());
+}
+
+TEST(Correct, SeekInANewSegment) {
+  std::vector<Tick> ticks = steadily(100);
+  for (std::size_t i = 50; i < ticks.size(); ++i) {
+    ticks[i].time -= 0.7;
+    ticks[i].segment = 1;
+  }
+  expectPass(asymmetric(ticks).judged());
+}
+
+TEST(Correct, RecordingThatBeginsInMidSegmentAndTopicsThatBeginAtDifferentTimes) {
+  BodySetup setup;
+  setup.moments = {1, 2, 3};
+  setup.method = "lie_euler";
+  setup.step = 1e-5;
+  Stream stream(setup, lieEuler(setup.moments, kTilted, kOmega, setup.step), steadily(60));
+  stream.states.erase(stream.states.begin(), stream.states.begin() + 20);
+  stream.tf.erase(stream.tf.begin(), stream.tf.begin() + 25);
+  stream.odometry.resize(stream.odometry.size() - 5);
+  const Report report = stream.judged();
+  expectPass(report);
+  EXPECT_EQ(report.find("tf = state")->count, 2 * 35);
+  stream.states[7].energy_drift += 1e-9;
+  expectFailures(stream.judged(), {kDriftFields}, "energy_drift says");
+}
+
+TEST(Correct, ConstantTorqueInWorldAxes) {
+  BodySetup setup;
+  setup.effects = {"constant_torque: frame world, torque 0 0 0.4"};
+  const Truth truth = anyBody(setup.tensor(), kTilted, kOmega, 1e-4, {0, 0, 0.4});
+  Stream stream(setup, truth, steadily(120));
+  stream.markers.clear();
+  stream.markers_static.markers.clear();
+  Options options;
+  options.markers = false;
+  const Report report = stream.judged(options);
+  expectPass(report);
+  EXPECT_EQ(report.find("E conserved"), nullptr);
+  EXPECT_NE(report.find("L = L0 + torque t"), nullptr);
+  for (auto& state : stream.states) state.time_rate = 1.01;
+  expectFailures(stream.judged(options), {kTime, kRotation}, "R turns 0\\.99.. times as far");
+  BodySetup body = setup;
+  body.effects = {"constant_torque: frame world, torque 0 0 0.4"};
+  Stream bent(body, anyBody(setup.tensor(), kTilted, kOmega), steadily(120));
+  for (std::size_t i = 60; i < 120; ++i) bent.states[i] = stream.states[i];
+  EXPECT_FALSE(bent.judged(options).find("L = L0 + torque t")->passed);
+}
+
+TEST(Correct, LieEulerAtAFineStep) {
+  BodySetup setup;
+  setup.method = "lie_euler";
+  setup.step = 1e-5;
+  expectPass(Stream(setup, lieEuler(setup.moments, kTilted, kOmega, setup.step), steadily(60)).judged());
+}
+
+// What must fail, and how.
+
+TEST(Wrong, EnergyWithoutItsHalf) {
+  Stream stream = asymmetric();
+  for (auto& state : stream.states) state.kinetic_energy *= 2;
+  expectFailures(stream.judged(), {"kinetic_energy = 1/2 omega' M omega"}, "kinetic_energy is 2\\.000 times ½ΩᵀMΩ");
+}
+
+TEST(Wrong, MomentumEllipsoidWithTheRoot) {
+  Stream stream = asymmetric();
+  auto& scale = stream.drawn("model/momentum_ellipsoid").scale;
+  const double l = 0.5 * scale.x / stream.setup.scale * 1;
+  scale.x = 2 * stream.setup.scale * l / std::sqrt(1);
+  scale.y = 2 * stream.setup.scale * l / std::sqrt(2);
+  scale.z = 2 * stream.setup.scale * l / std::sqrt(3);
+  expectFailures(stream.judged(),
+                 {"momentum ellipsoid (model)", "omega on both ellipsoids (model)", "polhode on both ellipsoids (model)"},
+                 "momentum ellipsoid's semi-axes are .*expected \\|L\\|/mu = .*they are sqrt\\(F/mu\\)");
+}
+
+TEST(Wrong, EnergyEllipsoidWithoutTheTwo) {
+  Stream stream = asymmetric();
+  auto& scale = stream.drawn("space/energy_ellipsoid").scale;
+  for (double* axis : {&scale.x, &scale.y, &scale.z}) *axis /= std::sqrt(2);
+  expectFailures(stream.judged(),
+                 {"energy ellipsoid (space)", "omega on both ellipsoids (space)", "polhode on both ellipsoids (space)"},
+                 "they are sqrt\\(E/mu\\)");
+}
+
+TEST(Wrong, ScaleAsRadius) {
+  Stream stream = asymmetric();
+  auto& scale = stream.drawn("model/energy_ellipsoid").scale;
+  for (double* axis : {&scale.x, &scale.y, &scale.z}) *axis /= 2;
+  expectFailures(stream.judged(),
+                 {"energy ellipsoid (model)", "omega on both ellipsoids (model)", "polhode on both ellipsoids (model)"},
+                 "given as a radius");
+}
+
+TEST(Wrong, RotationTransposedInTf) {
+  Stream stream = asymmetric();
+  for (auto& message : stream.tf) {
+    auto& q = message.transforms[0].transform.rotation;
+    q.w = -q.w;
+  }
+  expectFailures(stream.judged(), {"tf = state"}, "tf's rotation is the inverse of the state's");
+}
+
+TEST(Wrong, TfOfThePictureTurnedAlone) {
+  Stream stream = asymmetric();
+  for (auto& message : stream.tf) {
+    auto& q = message.transforms[1].transform.rotation;
+    q.w = -q.w;
+  }
+  expectFailures(stream.judged(), {"tf of space_body = state", "omega on both ellipsoids (space)"}, "inverse");
+}
+
+TEST(Wrong, OdometryInWorldAxes) {
+  Stream stream = asymmetric();
+  for (std::size_t i = 0; i < stream.states.size(); ++i) {
+    stream.odometry[i].twist.twist.angular = stream.states[i].omega_world;
+  }
+  expectFailures(stream.judged(), {"odometry twist in body axes"},
+                 "odometry twist.angular is not omega_body \\(it looks like omega_world\\)");
+}
+
+TEST(Wrong, OmegaOfTheStateInWorldAxes) {
+  Stream stream = asymmetric();
+  for (auto& state : stream.states) state.omega_body = state.omega_world;
+  EXPECT_TRUE(std::regex_search(stream.judged().find(kRotation)->detail,
+                                std::regex("omega_body looks like the angular velocity in world axes")))
+      << print(stream.judged());
+}
+
+TEST(Wrong, TfLater) {
+  Stream stream = asymmetric();
+  for (auto& message : stream.tf) message.transforms[0].header.stamp += ros::Duration(0.01);
+  expectFailures(stream.judged(), {"tf = state"}, "no tf at the stamp of a state; the nearest is 6\\.7 ms earlier");
+  stream = asymmetric();
+  for (auto& message : stream.tf) message.transforms[0].header.stamp += ros::Duration(0.001);
+  expectFailures(stream.judged(), {"tf = state"}, "no tf at the stamp of a state; the nearest is 1\\.0 ms later");
+}
+
+TEST(Wrong, OneTfMissing) {
+  Stream stream = asymmetric();
+  stream.tf.erase(stream.tf.begin() + 70);
+  expectFailures(stream.judged(), {"tf = state", "tf of space_body = state", "omega on both ellipsoids (space)"},
+                 "missing for 1 of 150");
+  Options live;
+  live.losses = 0.01;
+  expectPass(stream.judged(live));
+}
+
+/** The whole motion slowly turns about z: nothing but L sees it, where it is slow against the rounding of stamps. */
+TEST(Wrong, MomentumTurnsSlowly) {
+  BodySetup setup;
+  setup.moments = {2, 2, 3};
+  setup.method = "closed_form";
+  const Truth top = symmetricTop(2, 3, kTilted, kOmega);
+  const Truth turning = [top](double t) {
+    const Moment m = top(t);
+    return Moment{Quaterniond(Eigen::AngleAxisd(1e-8 * t, Vector3d::UnitZ())) * m.attitude, m.omega_body};
+  };
+  expectFailures(Stream(setup, turning, steadily(150)).judged(), {"L conserved"}, "L turns \\(in rad\\) by .*closed_form");
+}
+
+TEST(Wrong, TimeRateOffByOnePercent) {
+  Stream stream = asymmetric();
+  for (auto& state : stream.states) state.time_rate = 1.01;
+  expectFailures(stream.judged(), {kTime, kRotation}, "R turns 0\\.990. times as far");
+  expectFailures(stream.judged(), {kTime, kRotation}, "ratio 0\\.9901");
+}
+
+TEST(Wrong, TimeRateAndTimeBothOffByOnePercent) {
+  Stream stream = asymmetric();
+  for (auto& state : stream.states) {
+    state.time_rate = 1.01;
+    state.time *= 1.01;
+  }
+  expectFailures(stream.judged(), {kRotation, "Euler's equations"}, "R turns 0\\.990. times as far");
+}
+
+TEST(Wrong, QuaternionNotUnit) {
+  Stream stream = asymmetric();
+  stream.states[30].attitude.w *= 1 + 1e-9;
+  stream.states[30].attitude.x *= 1 + 1e-9;
+  stream.states[30].attitude.y *= 1 + 1e-9;
+  stream.states[30].attitude.z *= 1 + 1e-9;
+  expectFailures(stream.judged(), {"unit quaternions"}, "state: the quaternion's norm is 1\\.00000000");
+}
+
+TEST(Wrong, NotFinite) {
+  Stream stream = asymmetric();
+  stream.states[30].omega_world.y = NAN;
+  expectFailures(stream.judged(), {"finite numbers"}, "state: omega_world is not finite");
+  stream = asymmetric();
+  stream.markers[30].markers[0].points[1].x = INFINITY;
+  expectFailures(stream.judged(), {"markers well formed"}, "wingnut/space/omega: a point is not finite");
+}
+
+TEST(Wrong, MissingTopics) {
+  Stream stream = asymmetric(steadily(60));
+  Stream bare = stream;
+  bare.odometry.clear();
+  expectFailures(bare.judged(), {"odometry = state"}, "no odometry was received");
+  Options options;
+  options.odometry = false;
+  expectPass(bare.judged(options));
+
+  bare = stream;
+  bare.tf.clear();
+  expectFailures(bare.judged(), {"tf = state", "omega on both ellipsoids (space)"}, "no tf was received");
+  options = {};
+  options.tf = false;
+  expectPass(bare.judged(options));
+
+  bare = stream;
+  bare.markers.clear();
+  bare.markers_static.markers.clear();
+  EXPECT_EQ(bare.judged().find("markers well formed")->detail, "no marker of this body was received");
+  EXPECT_FALSE(bare.judged().passed());
+  options = {};
+  options.markers = false;
+  expectPass(bare.judged(options));
+
+  bare = stream;
+  bare.description = {};
+  expectFailures(bare.judged(), {"description"}, "no description was received");
+
+  bare = stream;
+  bare.states.clear();
+  expectFailures(bare.judged(), {"states"}, "no state of this body");
+
+  EXPECT_FALSE(audit::Audit().report().passed());
+}
+
+TEST(Wrong, SegmentGoesBackwards) {
+  std::vector<Tick> ticks = steadily(60);
+  for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i].segment = i < 30 ? 5 : 4;
+  expectFailures(asymmetric(ticks).judged(), {"segments never decrease"}, "segment 4 comes after segment 5");
+}
+
+TEST(Wrong, StampsDecrease) {
+  Stream stream = asymmetric(steadily(60));
+  std::swap(stream.states[20], stream.states[21]);
+  const Report report = stream.judged();
+  EXPECT_FALSE(report.find("stamps never decrease")->passed);
+  EXPECT_TRUE(std::regex_search(report.find("stamps never decrease")->detail, std::regex("0\\.01666[67] s before")));
+}
+
+TEST(Wrong, EnergyDriftsMoreThanTheMethodAllows) {
+  BodySetup setup;
+  setup.moments = {2, 2, 3};
+  setup.method = "closed_form";
+  const Truth top = symmetricTop(2, 3, kTilted, kOmega);
+  const Truth faster = [top](double t) {
+    const Moment m = top(t);
+    return Moment{m.attitude, (1 + 1e-10 * t) * m.omega_body};
+  };
+  const Report report = Stream(setup, faster, steadily(150)).judged();
+  EXPECT_FALSE(report.find("E conserved")->passed) << print(report);
+  EXPECT_FALSE(report.find("|L| conserved")->passed) << print(report);
+}
+
+/** Lie-Euler does what it can, but not what ground truth asks. */
+TEST(Wrong, LieEulerAtACoarseStep) {
+  BodySetup setup;
+  setup.method = "lie_euler";
+  setup.step = 0.01;
+  const Stream stream(setup, lieEuler(setup.moments, kTilted, kOmega, setup.step), steadily(120));
+  expectFailures(stream.judged(), {"E conserved"},
+                 "energy drifts by .*: method lie_euler at step 0\\.01 s is too coarse for ground truth");
+}
+
+TEST(Wrong, DriftField) {
+  Stream stream = asymmetric(steadily(60));
+  stream.states[40].momentum_drift = 1e-6;
+  expectFailures(stream.judged(), {kDriftFields}, "momentum_drift says 1e-06");
+}
+
+TEST(Wrong, PointOfTheModelShifted) {
+  Stream stream = asymmetric(steadily(60));
+  for (auto& message : stream.markers) message.markers[1].pose.position.x += 1e-6;
+  expectFailures(stream.judged(), {"omega drawn to scale (model)", "omega on both ellipsoids (model)"},
+                 "model/omega is drawn at");
+}
+
+TEST(Wrong, MarkersWithOtherStamps) {
+  Stream stream = asymmetric(steadily(60));
+  for (auto& message : stream.markers) {
+    for (auto& marker : message.markers) marker.header.stamp += ros::Duration(0.002);
+  }
+  const Report report = stream.judged();
+  EXPECT_TRUE(std::regex_search(report.find("marker stamps are states' stamps")->detail, std::regex("2\\.0 ms off")))
+      << print(report);
+}
+
+TEST(Wrong, PausedButMoving) {
+  std::vector<Tick> ticks = steadily(60);
+  Stream stream = asymmetric(ticks);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    stream.states[i].time_rate = 0;
+    stream.states[i].time = 0;
+  }
+  expectFailures(stream.judged(), {kRotation, "Euler's equations"}, "time stands still .* but R turns by");
+}
+
+TEST(Wrong, SeekWithoutANewSegment) {
+  std::vector<Tick> ticks = steadily(100);
+  for (std::size_t i = 50; i < ticks.size(); ++i) ticks[i].time += 0.7;
+  expectFailures(asymmetric(ticks).judged(), {kTime, kRotation}, "time advances by 0\\.716");
+}
+
+TEST(Wrong, PrincipalAxesInverted) {
+  BodySetup setup;
+  setup.axes = Quaterniond(0.3, -0.4, 0.7, 0.1).normalized();
+  Stream stream = asymmetric(steadily(30), setup);
+  stream.description.principal_axes.w *= -1;
+  expectFailures(stream.judged(), {"description"}, "looks like the inverse rotation");
+}
+
+TEST(Wrong, PositionLeavesTheParabola) {
+  BodySetup setup;
+  setup.effects = {"translation: a throw"};
+  setup.velocity = {1, -2, 5};
+  setup.acceleration = {0, 0, -9.81};
+  Stream stream = asymmetric(steadily(60), setup);
+  for (std::size_t i = 0; i < 60; ++i) {
+    stream.states[i].position.z += 1e-6 * std::pow(stream.states[i].time, 3);
+    stream.tf[i].transforms[0].transform.translation.z = stream.states[i].position.z;
+    stream.odometry[i].pose.pose.position.z = stream.states[i].position.z;
+  }
+  expectFailures(stream.judged(), {"position and velocity"}, "velocity is not the derivative of position");
+}
+
+}  // namespace
+}  // namespace poinsot::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

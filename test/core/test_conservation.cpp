@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "draws.h"
+#include "poinsot/core/invariants.h"
+#include "poinsot/core/stepper.h"
+
+namespace poinsot {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Drifts {
+  double energy, momentum;  ///< worst, relative
+};
+
+Drifts worstDrifts(const Method& method, double step, int steps) {
+  Draws draws;
+  Drifts worst{0, 0};
+  for (int body = 0; body < 5; ++body) {
+    const Vector3d moments = draws.moments();
+    const auto stepper = method.make(moments);
+    RotationState state = RotationState::fromOmega(moments, draws.attitude(), draws.direction());
+    const Invariants start = invariantsOf(moments, state);
+    for (int done = 0; done < steps; done += 100) {
+      stepper->advance(state, step, 100);
+      const Invariants now = invariantsOf(moments, state);
+      worst.energy = std::max(worst.energy, std::abs(energyDrift(now, start)));
+      worst.momentum = std::max(worst.momentum, momentumDrift(now, start));
+    }
+  }
+  return worst;
+}
+
+TEST(Conservation, eachMethodKeepsWhatItClaimsAndNothingElse) {
+  for (const Method& method : methods()) {
+    const Drifts drifts = worstDrifts(method, 0.05, 100000);
+    std::printf("%-10s |dE|/E %.1e   |dL|/|L| %.1e\n", method.name, drifts.energy, drifts.momentum);
+    if (method.conserves_momentum) {
+      EXPECT_LE(drifts.momentum, 2e-12) << method.name;
+    } else {
+      EXPECT_GE(drifts.momentum, 1e-8) << method.name;
+    }
+    if (method.conserves_energy) {
+      EXPECT_LE(drifts.energy, 2e-12) << method.name;
+    } else {
+      EXPECT_GE(drifts.energy, 1e-8) << method.name;
+    }
+  }
+}
+
+TEST(LieEuler, energyRisesAtEveryStepUntilTheSpinIsAboutTheSmallestMoment) {
+  Draws draws;
+  for (int body = 0; body < 20; ++body) {
+    const Vector3d moments = draws.moments();
+    const auto stepper = findMethod("lie_euler")->make(moments);
+    RotationState state = RotationState::fromOmega(moments, draws.attitude(), draws.direction());
+    const double most = 0.5 * state.momentum_body.squaredNorm() / moments.minCoeff();
+    double energy = invariantsOf(moments, state).kinetic_energy;
+    for (int n = 0; n < 20000; ++n) {
+      stepper->advance(state, 0.1, 1);
+      const double next = invariantsOf(moments, state).kinetic_energy;
+      ASSERT_GE(next, energy * (1 - 2e-15)) << "step " << n;
+      energy = next;
+    }
+    // However near to the largest moment it began; moments that differ little take longer.
+    const double spread = moments.maxCoeff() / moments.minCoeff();
+    if (spread > 1.2) {
+      EXPECT_GT(energy, 0.99 * most) << moments.transpose();
+    }
+  }
+}
+
+TEST(LieEuler, energyGainOfAStep) {
+  Draws draws;
+  for (int body = 0; body < 50; ++body) {
+    const Vector3d moments = draws.moments();
+    RotationState state = RotationState::fromOmega(moments, draws.attitude(), draws.direction());
+    const Vector3d omega = state.omegaBody(moments), rate = state.momentum_body.cross(omega);
+    const double h = 1e-4, predicted = 0.5 * h * h * rate.dot(rate.cwiseQuotient(moments));
+    if (predicted < 1e-10) continue;  // lost in the roundoff of E
+    const double before = invariantsOf(moments, state).kinetic_energy;
+    findMethod("lie_euler")->make(moments)->advance(state, h, 1);
+    EXPECT_NEAR((invariantsOf(moments, state).kinetic_energy - before) / predicted, 1, 1e-3 + 1e-15 / predicted);
+  }
+}
+
+TEST(Buss2, energyRatioAfterALongRun) {
+  const Vector3d moments(1, 2, 3);
+  RotationState state = RotationState::fromOmega(moments, Eigen::Quaterniond::Identity(), {0.6, 0.5, 0.7});
+  const double before = invariantsOf(moments, state).kinetic_energy;
+  findMethod("buss2")->make(moments)->advance(state, 0.1, 20000);
+  const double ratio = invariantsOf(moments, state).kinetic_energy / before;
+  std::printf("buss2: E/E0 = %.6f at t = 2000, h = 0.1\n", ratio);
+  EXPECT_NEAR(ratio, 1.20, 0.005);
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "draws.h"
+#include "poinsot/core/rotation.h"
+#include "poinsot/core/stepper.h"
+
+namespace poinsot {
+namespace {
+
+TEST(Methods, namesAreUniqueAndFound) {
+  std::set<std::string> names;
+  for (const Method& method : methods()) {
+    EXPECT_TRUE(names.insert(method.name).second) << method.name << " is there twice";
+    EXPECT_EQ(findMethod(method.name), &method);
+    EXPECT_NE(methodNames().find(method.name), std::string::npos);
+    EXPECT_GE(method.order, 1);
+  }
+  for (const char* name : {"lie_euler", "buss2", "rk4"}) EXPECT_TRUE(findMethod(name)) << name;
+}
+
+TEST(Methods, unknownNamesAreNotFound) {
+  for (const char* name : {"", "rk", "rk45", "RK4", " rk4", "lie_euler,"}) EXPECT_EQ(findMethod(name), nullptr) << name;
+}
+
+class EveryMethod : public ::testing::TestWithParam<std::string> {
+ protected:
+  const Method& method() const { return *findMethod(GetParam()); }
+};
+
+TEST_P(EveryMethod, batchesAddUpBitForBit) {
+  Draws draws;
+  const Eigen::Vector3d moments = draws.moments();
+  const auto stepper = method().make(moments);
+  const RotationState start = RotationState::fromOmega(moments, draws.attitude(), draws.vector());
+  RotationState once = start, parts = start;
+  stepper->advance(once, 0.01, 1000);
+  for (const int count : {0, 1, 999 - 500, 0, 500}) stepper->advance(parts, 0.01, count);
+  EXPECT_EQ(once.attitude.coeffs(), parts.attitude.coeffs());
+  EXPECT_EQ(once.momentum_body, parts.momentum_body);
+}
+
+TEST_P(EveryMethod, leavesABodyAtRestAlone) {
+  RotationState state;
+  state.attitude = Draws().attitude();
+  const Eigen::Vector4d before = state.attitude.coeffs();
+  method().make({1, 2, 3})->advance(state, 0.1, 1000);
+  EXPECT_LE((state.attitude.coeffs() - before).norm(), 1e-15);
+  EXPECT_EQ(state.momentum_body, Eigen::Vector3d(0, 0, 0));
+}
+
+TEST_P(EveryMethod, keepsTheQuaternionUnit) {
+  Draws draws;
+  const Eigen::Vector3d moments = draws.moments();
+  RotationState state = RotationState::fromOmega(moments, draws.attitude(), draws.vector());
+  method().make(moments)->advance(state, 0.05, 100000);
+  EXPECT_NEAR(state.attitude.norm(), 1, 1e-15);
+}
+
+TEST_P(EveryMethod, spinsASphereSteadily) {
+  // Equal moments: Ω is constant and the attitude is exp(Ωt).
+  const Eigen::Vector3d omega(0.3, -0.8, 1.5);
+  RotationState state = RotationState::fromOmega({2, 2, 2}, Eigen::Quaterniond::Identity(), omega);
+  method().make({2, 2, 2})->advance(state, 0.001, 5000);
+  EXPECT_LE((state.omegaBody({2, 2, 2}) - omega).norm(), 1e-12);
+  EXPECT_LE(angleBetween(state.attitude, expQuaternion(5 * omega)), 1e-11);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> out;
+  for (const Method& method : methods()) out.push_back(method.name);
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, ::testing::ValuesIn(names()), [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace poinsot

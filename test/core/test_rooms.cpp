@@ -1,0 +1,154 @@
+// Which room may include and link what. On Debian the ROS headers lie in the system include path, so a stray include
+// would compile.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** The path of an #include line, empty for any other line. */
+std::string includeOf(const std::string& line) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
+  std::smatch match;
+  return std::regex_match(line, match, pattern) ? match[1].str() : "";
+}
+
+bool matches(const std::string& include, const std::string& pattern) {
+  return std::regex_search(include, std::regex(pattern));
+}
+
+/** ROS: its libraries, anybody's messages, this package's messages, and the rooms that know ROS. */
+bool isRos(const std::string& include) {
+  return matches(include,
+                 R"(^(ros|rosbag|rosconsole|rosgraph|roscpp|tf|tf2|tf2_\w+|topic_tools|xmlrpcpp|XmlRpc\w*|rviz|pluginlib)"
+                 R"(|diagnostic_updater|dynamic_reconfigure|interactive_markers|message_filters|nodelet|cpp_common)/)") ||
+         matches(include, R"(^(\w+_)?(msgs|srvs)/|^XmlRpc|^poinsot/(Body\w*\.h|ros/|audit/))");
+}
+
+bool isRoom(const std::string& include, const std::string& room) {
+  return matches(include, "^poinsot/" + room + "/") || matches(include, "^(\\.\\./)+(\\w+/)*" + room + "/");
+}
+
+bool isYaml(const std::string& include) { return matches(include, R"(^(yaml-cpp/|yaml\.h))"); }
+
+/** "file:line includes x" for each include of a room (in include/ and src/) that is not allowed there. */
+std::vector<std::string> offences(const std::string& room, bool (*forbidden)(const std::string&), int* files) {
+  std::vector<std::string> out;
+  for (const fs::path& root : {fs::path(SOURCE_DIR) / "include/poinsot" / room, fs::path(SOURCE_DIR) / "src" / room}) {
+    if (!fs::exists(root)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+      const std::string ending = entry.path().extension();
+      if (ending != ".h" && ending != ".hpp" && ending != ".cpp") continue;
+      ++*files;
+      std::ifstream in(entry.path());
+      std::string line;
+      for (int number = 1; std::getline(in, line); ++number) {
+        const std::string include = includeOf(line);
+        if (!include.empty() && forbidden(include)) {
+          out.push_back(entry.path().string() + ":" + std::to_string(number) + " includes " + include);
+        }
+      }
+    }
+  }
+  return out;
+}
+
+void expectPure(const std::string& room, bool (*forbidden)(const std::string&)) {
+  int files = 0;
+  for (const std::string& offence : offences(room, forbidden, &files)) ADD_FAILURE() << offence;
+  EXPECT_GT(files, 0) << "no file found in room " << room;
+}
+
+bool forbiddenInCore(const std::string& i) {
+  return isRos(i) || isYaml(i) || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros") || isRoom(i, "audit");
+}
+bool forbiddenInView(const std::string& i) { return isRos(i) || isYaml(i) || isRoom(i, "scene") || isRoom(i, "ros"); }
+bool forbiddenInScene(const std::string& i) { return isRos(i) || isRoom(i, "view") || isRoom(i, "ros"); }
+/** Audit stands alone on the message types, which are what it is about. */
+bool forbiddenInAudit(const std::string& i) {
+  return isRoom(i, "core") || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros");
+}
+
+TEST(Rooms, coreKnowsNobody) { expectPure("core", forbiddenInCore); }
+TEST(Rooms, viewKnowsCoreOnly) { expectPure("view", forbiddenInView); }
+TEST(Rooms, sceneKnowsCoreOnly) { expectPure("scene", forbiddenInScene); }
+TEST(Rooms, auditKnowsNoOtherRoom) { expectPure("audit", forbiddenInAudit); }
+
+TEST(Rooms, includesAreRecognised) {
+  EXPECT_EQ(includeOf("#include <ros/ros.h>"), "ros/ros.h");
+  EXPECT_EQ(includeOf("  #  include \"poinsot/view/curve.h\"  // why"), "poinsot/view/curve.h");
+  EXPECT_EQ(includeOf("// #include <ros/ros.h>"), "");
+  EXPECT_EQ(includeOf("include the ros/ros.h"), "");
+}
+
+TEST(Rooms, aStrayIncludeWouldBeCaught) {
+  for (const char* bad : {"ros/ros.h", "ros/console.h", "tf2/utils.h", "tf2_ros/buffer.h", "tf2_eigen/tf2_eigen.h",
+                          "geometry_msgs/Pose.h", "std_msgs/Header.h", "visualization_msgs/MarkerArray.h",
+                          "std_srvs/Trigger.h", "rosbag/bag.h", "poinsot/BodyState.h", "poinsot/BodyDescription.h",
+                          "poinsot/ros/names.h", "poinsot/audit/check.h", "XmlRpcValue.h", "xmlrpcpp/XmlRpcValue.h"}) {
+    EXPECT_TRUE(forbiddenInCore(bad)) << bad;
+    EXPECT_TRUE(forbiddenInView(bad)) << bad;
+    EXPECT_TRUE(forbiddenInScene(bad)) << bad;
+  }
+  for (const char* bad : {"poinsot/view/curve.h", "poinsot/scene/scene.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
+    EXPECT_TRUE(forbiddenInCore(bad)) << bad;
+  }
+  for (const char* bad : {"poinsot/core/motion.h", "poinsot/view/curve.h", "poinsot/scene/scene.h", "../core/x.h"}) {
+    EXPECT_TRUE(forbiddenInAudit(bad)) << bad;
+  }
+  for (const char* good : {"cmath", "Eigen/Core", "poinsot/core/motion.h", "boost/math/constants/constants.hpp"}) {
+    EXPECT_FALSE(forbiddenInCore(good)) << good;
+    EXPECT_FALSE(forbiddenInView(good)) << good;
+  }
+  EXPECT_FALSE(forbiddenInAudit("poinsot/BodyState.h"));
+  EXPECT_FALSE(forbiddenInScene("yaml-cpp/yaml.h"));
+}
+
+/** What a shared library names as needed (not what that needs in turn: C libraries of the system may be anything). */
+std::vector<std::string> neededBy(const std::string& library) {
+  std::vector<std::string> out;
+  FILE* pipe = popen(("readelf -d '" + library + "'").c_str(), "r");
+  if (!pipe) return out;
+  std::array<char, 4096> line;
+  while (std::fgets(line.data(), line.size(), pipe)) {
+    const std::string text = line.data();
+    std::smatch match;
+    static const std::regex pattern(R"(\(NEEDED\).*\[(.+)\])");
+    if (std::regex_search(text, match, pattern)) out.push_back(match[1]);
+  }
+  pclose(pipe);
+  return out;
+}
+
+bool isRosLibrary(const std::string& name) {
+  return matches(name, R"(^lib(ros|tf|xmlrpcpp|cpp_common|actionlib|message_filters|class_loader|poinsot_(ros|audit)))");
+}
+
+TEST(Rooms, coreAndViewLinkNoRosLibrary) {
+  for (const std::string library : {CORE_LIBRARY, VIEW_LIBRARY}) {
+    const std::vector<std::string> needed = neededBy(library);
+    EXPECT_FALSE(needed.empty()) << "readelf said nothing about " << library;  // libc at least
+    for (const std::string& name : needed) EXPECT_FALSE(isRosLibrary(name)) << library << " needs " << name;
+  }
+  for (const std::string& name : neededBy(CORE_LIBRARY)) EXPECT_FALSE(matches(name, "poinsot|yaml")) << name;
+}
+
+TEST(Rooms, aRosLibraryWouldBeCaught) {
+  for (const char* bad : {"libroscpp.so.4d", "librosconsole.so.3d", "libtf2_ros.so", "libtf2.so.1d", "librostime.so",
+                          "libxmlrpcpp.so.4d", "libpoinsot_ros.so"}) {
+    EXPECT_TRUE(isRosLibrary(bad)) << bad;
+  }
+  for (const char* good : {"libc.so.6", "libstdc++.so.6", "libm.so.6", "libpoinsot_core.so", "libquadmath.so.0"}) {
+    EXPECT_FALSE(isRosLibrary(good)) << good;
+  }
+}
+
+}  // namespace

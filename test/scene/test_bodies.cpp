@@ -1,0 +1,286 @@
+#include <cmath>
+
+#include "scene_text.h"
+
+using poinsot::scene::Body;
+using poinsot::scene::Scene;
+using scene_text::body;
+using scene_text::expectKeyRefused;
+using scene_text::expectRefused;
+using scene_text::read;
+using scene_text::readBody;
+
+namespace {
+
+std::string named(const std::vector<std::string>& names) {
+  std::string text = "bodies:\n";
+  for (const std::string& name : names) {
+    text += "  - name: " + name + "\n    inertia: [1, 2, 3]\n    angular_velocity: [0, 1, 0]\n";
+  }
+  return text;
+}
+
+double distance(const Eigen::Quaterniond& q, double w, double x, double y, double z) {
+  return (q.coeffs() - Eigen::Vector4d(x, y, z, w)).norm();
+}
+
+}  // namespace
+
+TEST(Scene, SmallestSceneGetsTheDefaults) {
+  const Scene scene = read("bodies:\n  - {name: top, inertia: [1, 2, 3], angular_velocity: [0.5, -1, 2e-3]}\n");
+  EXPECT_FALSE(scene.rate);
+  EXPECT_TRUE(scene.warnings.empty());
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  const Body& top = scene.bodies[0];
+  EXPECT_EQ(top.name, "top");
+  EXPECT_EQ(top.inertia.moments(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(distance(top.inertia.axes(), 1, 0, 0, 0), 0);
+  EXPECT_FALSE(top.shape);
+  EXPECT_EQ(distance(top.attitude, 1, 0, 0, 0), 0);
+  EXPECT_EQ(top.omega_body, Eigen::Vector3d(0.5, -1, 2e-3));
+  EXPECT_EQ(top.method, "buss2");
+  EXPECT_EQ(top.step, 1e-4);
+  EXPECT_FALSE(top.translation);
+}
+
+TEST(Scene, EveryKeyAtOnce) {
+  const Scene scene = read(
+      "rate: 50\n"
+      "bodies:\n"
+      "  - name: one\n"
+      "    inertia: [3, 1, 2]\n"
+      "    attitude: [0, 0, 2, 0]\n"
+      "    angular_velocity: [1, 2, 3]\n"
+      "    method: rk4\n"
+      "    step: 0.01\n"
+      "    effects:\n"
+      "      - {type: translation, position: [1, 2, 3], velocity: [4, 5, 6], acceleration: [7, 8, 9]}\n"
+      "  - name: two\n"
+      "    shape: {type: box, size: [1, 2, 3], mass: 12}\n"
+      "    angular_velocity: [0, 0, 0]\n"
+      "    effects: []\n");
+  EXPECT_EQ(scene.rate.value(), 50);
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  const Body& one = scene.bodies[0];
+  EXPECT_EQ(one.inertia.moments(), Eigen::Vector3d(3, 1, 2));  // the order is kept
+  EXPECT_EQ(distance(one.attitude, 0, 0, 1, 0), 0);
+  EXPECT_EQ(one.method, "rk4");
+  EXPECT_EQ(one.step, 0.01);
+  ASSERT_TRUE(one.translation);
+  EXPECT_EQ(one.translation->position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(one.translation->velocity, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(one.translation->acceleration, Eigen::Vector3d(7, 8, 9));
+  EXPECT_EQ(scene.bodies[1].name, "two");
+  EXPECT_TRUE(scene.bodies[1].shape);
+  EXPECT_TRUE(scene.bodies[1].omega_body.isZero(0));
+  EXPECT_FALSE(scene.bodies[1].translation);
+}
+
+TEST(Scene, RateIsPositive) {
+  const std::string rest = "\n" + named({"a"});
+  const std::string allowed = "allowed: a positive finite number (Hz)";
+  EXPECT_EQ(read("rate: 0.5" + rest).rate.value(), 0.5);
+  expectRefused("rate: 0" + rest, 1, "rate", {"0 is not positive", allowed});
+  expectRefused("rate: -60" + rest, 1, "rate", {"-60 is not positive", allowed});
+  expectRefused("rate: .inf" + rest, 1, "rate", {".inf is not finite", allowed});
+  expectRefused("rate: fast" + rest, 1, "rate", {"fast is not a decimal number", allowed});
+  expectRefused("rate: [60]" + rest, 1, "rate", {"a list of 1 is not a number", allowed});
+}
+
+TEST(Scene, BodiesAreANonEmptyListOfMaps) {
+  expectRefused("rate: 60\n", 1, "", {"bodies is missing", "a list of at least one body"});
+  expectRefused("bodies: []\n", 1, "bodies", {"an empty list", "a list of at least one body"});
+  expectRefused("bodies:\n", 1, "bodies", {"null is not a list", "a list of at least one body"});
+  expectRefused("bodies: {name: a}\n", 1, "bodies", {"a map is not a list", "a list of at least one body"});
+  expectRefused("rate: 1\nbodies: [a]\n", 2, "bodies[0]", {"a is not a map", "allowed: a body"});
+  expectRefused("bodies:\n  - []\n", 2, "bodies[0]", {"a list of 0 is not a map", "allowed: a body"});
+}
+
+TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
+  expectRefused("speed: 1\n" + named({"a"}), 1, "speed", {"unknown key;", "allowed: rate, bodies"});
+  expectRefused("body: 1\n" + named({"a"}), 1, "body", {"unknown key", "allowed: rate, bodies"});
+  expectRefused(named({"a"}) + "Rate: 60\n", 5, "Rate", {"did you mean \"rate\"?", "allowed: rate, bodies"});
+  const std::string allowed = "allowed: name, inertia, shape, attitude, angular_velocity, method, step, effects";
+  expectKeyRefused("colour: red", ".colour", {"unknown key;", allowed});
+  expectKeyRefused("atitude: [1, 0, 0, 0]", ".atitude", {"did you mean \"attitude\"?", allowed});
+  expectKeyRefused("angular_velocty: [1, 0, 0]", ".angular_velocty", {"did you mean \"angular_velocity\"?", allowed});
+  expectKeyRefused("omega: [1, 0, 0]", ".omega", {"unknown key;", allowed});
+  expectKeyRefused("<<: {step: 1}", ".<<", {"unknown key", allowed});
+}
+
+TEST(Scene, SuggestionsEndAtTwoEdits) {
+  expectKeyRefused("stepp: 1", ".stepp", {"did you mean \"step\"?"});
+  expectKeyRefused("stoop: 1", ".stoop", {"did you mean \"step\"?"});
+  expectKeyRefused("stooop: 1", ".stooop", {"unknown key;"});
+  expectKeyRefused("z: 1", ".z", {"unknown key;"});
+}
+
+TEST(Scene, DuplicateKeysAreRefused) {
+  expectRefused("rate: 1\nrate: 1\n" + named({"a"}), 2, "rate", {"duplicate key", "every key once"});
+  expectRefused(body({"step: 1", "step: 1"}), 4, "bodies[0] \"brick\".step", {"duplicate key"});
+  expectRefused(body({"name: brick"}), 3, "bodies[0] \"brick\".name", {"duplicate key"});
+  expectKeyRefused("shape: {type: box, mass: 1, mass: 2}", ".shape.mass", {"duplicate key"});
+  expectKeyRefused("effects: [{type: translation, type: translation}]", ".effects[0].type", {"duplicate key"});
+}
+
+TEST(Scene, KeysAreWords) {
+  expectRefused("? [a]\n: 1\n" + named({"a"}), 1, "", {"a key is not a word"});
+  expectRefused(body({"[a, b]: 1"}), 2, "bodies[0] \"brick\"", {"a key is not a word"});
+}
+
+TEST(Name, ValidOnes) {
+  for (const char* name : {"a", "Brick", "t_handle", "x1", "yes_man", "nullable", "'quoted'", "inf", "nan"}) {
+    SCOPED_TRACE(name);
+    EXPECT_NO_THROW(read(named({name})));
+  }
+  EXPECT_EQ(read(named({"'quoted'"})).bodies[0].name, "quoted");
+}
+
+TEST(Name, InvalidOnesAreShown) {
+  for (const char* name : {"1a", "_a", "a/b", "/a", "a-b", "a.b", "\"a b\"", "é", "~a", "5", "''"}) {
+    SCOPED_TRACE(name);
+    std::string bare = name;
+    if (bare.front() == '"' || bare.front() == '\'') bare = bare.substr(1, bare.size() - 2);
+    expectRefused(named({name}), 2, "bodies[0] \"" + bare + "\".name",
+                  {"is not a name", "allowed: a letter, then letters, digits and underscores"});
+  }
+  expectRefused(named({""}), 2, "bodies[0].name", {"null is not a name", "a letter, then"});
+  expectRefused(named({"null"}), 2, "bodies[0].name", {"null is not a name", "a letter, then"});
+  expectRefused(named({"[a]"}), 2, "bodies[0].name", {"a list of 1 is not a name", "a letter, then"});
+  expectRefused(named({"{a: b}"}), 2, "bodies[0].name", {"a map is not a name", "a letter, then"});
+  expectRefused("bodies:\n  - {inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}\n", 2, "bodies[0]",
+                {"name is missing", "a letter, then"});
+}
+
+TEST(Name, BooleansOfYamlAreRefused) {
+  for (const char* word : {"yes", "No", "ON", "off", "true", "False", "TRUE", "y", "N"}) {
+    SCOPED_TRACE(word);
+    for (const char* quote : {"", "'"}) {
+      expectRefused(named({quote + std::string(word) + quote}), 2, "bodies[0] \"" + std::string(word) + "\".name",
+                    {std::string(word) + " is not a name", "boolean or null", "allowed: "});
+    }
+  }
+  expectRefused(named({"'null'"}), 2, "bodies[0] \"null\".name", {"null is not a name", "boolean or null"});
+}
+
+TEST(Name, DuplicatesAreRefused) {
+  expectRefused(named({"a", "b", "a"}), 8, "bodies[2] \"a\".name",
+                {"a second body is called a", "a name that no other body has"});
+  EXPECT_EQ(read(named({"a", "A"})).bodies.size(), 2u);
+}
+
+TEST(Name, FramesDoNotClash) {
+  expectRefused(named({"world"}), 2, "bodies[0] \"world\".name", {"the frame world", "the fixed frame"});
+  for (const char* suffix : {"_space", "_model", "_space_body"}) {
+    SCOPED_TRACE(suffix);
+    const std::string other = "top" + std::string(suffix);
+    expectRefused(named({"top", other}), 5, "bodies[1] \"" + other + "\".name",
+                  {"the frame " + other + " of the body " + other, "a frame of the body top", "<name>_space_body"});
+    expectRefused(named({other, "top"}), 5, "bodies[1] \"top\".name",
+                  {"the frame " + other + " of the body top", "a frame of the body " + other});
+  }
+  EXPECT_EQ(read(named({"top", "top_body", "top_spaces", "space", "world_a"})).bodies.size(), 5u);
+}
+
+TEST(Inertia, TensorHasItsPrincipalAxesFound) {
+  // diag(1, 2, 4) turned about z by 30°.
+  const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
+  Eigen::Matrix3d turn;
+  turn << c, -s, 0, s, c, 0, 0, 0, 1;
+  const Eigen::Matrix3d tensor = turn * Eigen::Vector3d(1, 2, 2.5).asDiagonal() * turn.transpose();
+  char line[300];
+  std::snprintf(line, sizeof line, "inertia: [[%.17g, %.17g, 0], [%.17g, %.17g, 0], [0, 0, 2.5]]", tensor(0, 0),
+                tensor(0, 1), tensor(1, 0), tensor(1, 1));
+  const Body b = readBody({line});
+  EXPECT_LT((b.inertia.moments() - Eigen::Vector3d(1, 2, 2.5)).norm(), 1e-14);
+  EXPECT_LT((b.inertia.tensor() - tensor).norm(), 1e-14);
+  EXPECT_EQ(readBody({"inertia: [[3, 0, 0], [0, 1, 0], [0, 0, 2.5]]"}).inertia.moments(), Eigen::Vector3d(3, 1, 2.5));
+}
+
+TEST(Inertia, BadMomentsAreRefused) {
+  const std::string allowed = "allowed: a positive finite number (kg·m²)";
+  expectKeyRefused("inertia: [1, 2, -3]", ".inertia[2]", {"-3 is not positive", allowed});
+  expectKeyRefused("inertia: [0, 2, 3]", ".inertia[0]", {"0 is not positive", allowed});
+  expectKeyRefused("inertia: [1, -0.0, 3]", ".inertia[1]", {"-0.0 is not positive", allowed});
+  expectKeyRefused("inertia: [1, .nan, 3]", ".inertia[1]", {".nan is not finite", allowed});
+  expectKeyRefused("inertia: [1, .inf, 3]", ".inertia[1]", {".inf is not finite", allowed});
+  expectKeyRefused("inertia: [1, 1e999, 3]", ".inertia[1]", {"1e999 is not finite", allowed});
+  expectKeyRefused("inertia: [1, 1e-400, 3]", ".inertia[1]", {"1e-400 is not positive", allowed});
+  expectKeyRefused("inertia: [1, heavy, 3]", ".inertia[1]", {"heavy is not a decimal number", allowed});
+}
+
+TEST(Inertia, WrongShapesOfListsAreRefused) {
+  const std::string allowed = "3 positive finite principal moments, or a symmetric positive definite tensor";
+  expectKeyRefused("inertia: 1", ".inertia", {"1 is not a list", allowed});
+  expectKeyRefused("inertia: {x: 1}", ".inertia", {"a map is not a list", allowed});
+  expectKeyRefused("inertia: [1, 2]", ".inertia", {"a list of 2 is too short", allowed});
+  expectKeyRefused("inertia: [1, 2, 3, 4]", ".inertia", {"a list of 4 is too long", allowed});
+  expectKeyRefused("inertia: [1, 0, 0, 0, 2, 0, 0, 0, 3]", ".inertia", {"a list of 9 is too long", allowed});
+  expectKeyRefused("inertia: [[1, 0, 0], [0, 2, 0]]", ".inertia", {"a list of 2 is too short", allowed});
+  expectKeyRefused("inertia: [[1, 0, 0], [0, 2], [0, 0, 3]]", ".inertia[1]", {"a list of 2 is too short", "(kg·m²)"});
+  expectKeyRefused("inertia: [1, [0, 2, 0], [0, 0, 3]]", ".inertia[0]", {"1 is not a list", "a list of 3"});
+  expectKeyRefused("inertia: [[1, 0, 0], [0, x, 0], [0, 0, 3]]", ".inertia[1][1]", {"x is not a decimal number"});
+}
+
+TEST(Inertia, BadTensorsAreRefused) {
+  const std::string allowed = "allowed: 3 positive finite principal moments, or a symmetric positive definite tensor";
+  expectKeyRefused("inertia: [[2, 0.5, 0], [0.4, 2, 0], [0, 0, 3]]", ".inertia",
+                   {"not symmetric", "0.5", "0.4", allowed});
+  expectKeyRefused("inertia: [[1, 2, 0], [2, 1, 0], [0, 0, 3]]", ".inertia",
+                   {"not positive definite", "moments are -", allowed});
+  expectKeyRefused("inertia: [[1, 1, 0], [1, 1, 0], [0, 0, 2]]", ".inertia", {"not positive definite", allowed});
+  expectKeyRefused("inertia: [[1, 0, 0], [0, -2, 0], [0, 0, 3]]", ".inertia", {"-2", allowed});
+  expectKeyRefused("inertia: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]", ".inertia", {"0", allowed});
+}
+
+TEST(Inertia, MomentsOfNoRealBodyMakeAWarning) {
+  const scene_text::TemporaryFile file(body({"inertia: [1, 2, 3.5]"}));
+  const Scene scene = poinsot::scene::readFile(file.path());
+  EXPECT_EQ(scene.bodies[0].inertia.moments(), Eigen::Vector3d(1, 2, 3.5));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  const std::string& warning = scene.warnings[0];
+  EXPECT_EQ(warning.rfind(file.path() + ":3: bodies[0] \"brick\".inertia: ", 0), 0u) << warning;
+  EXPECT_NE(warning.find("1, 2, 3.5 kg·m²"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("no real body"), std::string::npos) << warning;
+
+  EXPECT_EQ(read(body({"inertia: [[1, 0, 0], [0, 5, 1], [0, 1, 1]]"})).warnings.size(), 1u);
+  EXPECT_TRUE(read(body({"inertia: [1, 2, 3]"})).warnings.empty());  // a flat body
+  EXPECT_TRUE(read(body({"inertia: [0.1, 0.2, 0.3]"})).warnings.empty());
+}
+
+TEST(Inertia, ExactlyOneOfInertiaAndShape) {
+  const std::string allowed = "allowed: exactly one of inertia, shape";
+  expectRefused(body({"inertia: [1, 2, 3]", "shape: {type: box, size: [1, 1, 1], mass: 1}"}), 2, "bodies[0] \"brick\"",
+                {"both inertia and shape", allowed});
+  expectRefused("bodies:\n  - {name: a, angular_velocity: [0, 1, 0]}\n", 2, "bodies[0] \"a\"",
+                {"inertia or shape is missing", allowed});
+}
+
+TEST(Attitude, IsNormalised) {
+  EXPECT_LT(distance(readBody({"attitude: [3, 0, 0, 4]"}).attitude, 0.6, 0, 0, 0.8), 1e-15);
+  EXPECT_LT(distance(readBody({"attitude: [-1, 1, -1, 1]"}).attitude, -0.5, 0.5, -0.5, 0.5), 1e-15);
+  const double h = std::sqrt(0.5);
+  EXPECT_LT(distance(readBody({"attitude: [1e308, 1e308, 0, 0]"}).attitude, h, h, 0, 0), 1e-15);
+  EXPECT_LT(distance(readBody({"attitude: [1.7e308, 1.7e308, 1.7e308, 1.7e308]"}).attitude, 0.5, 0.5, 0.5, 0.5), 1e-15);
+  EXPECT_LT(distance(readBody({"attitude: [0, 1e-200, 0, -1e-200]"}).attitude, 0, h, 0, -h), 1e-15);
+  EXPECT_LT(distance(readBody({"attitude: [0, 5e-324, 0, 5e-324]"}).attitude, 0, h, 0, h), 1e-15);
+}
+
+TEST(Attitude, BadOnesAreRefused) {
+  const std::string allowed = "allowed: a list of 4 finite numbers";
+  expectKeyRefused("attitude: [0, 0, 0, 0]", ".attitude", {"a zero quaternion", "not all zero"});
+  expectKeyRefused("attitude: [0, -0.0, 1e-400, 0]", ".attitude", {"a zero quaternion", "not all zero"});
+  expectKeyRefused("attitude: [1, 0, 0]", ".attitude", {"a list of 3 is too short", allowed});
+  expectKeyRefused("attitude: [1, 0, 0, 0, 0]", ".attitude", {"a list of 5 is too long", allowed});
+  expectKeyRefused("attitude: identity", ".attitude", {"identity is not a list", allowed});
+  expectKeyRefused("attitude: [1, 0, .nan, 0]", ".attitude[2]", {".nan is not finite", "allowed: a finite number"});
+}
+
+TEST(AngularVelocity, IsRequiredAndGivesAFiniteEnergy) {
+  expectRefused("bodies:\n  - {name: a, inertia: [1, 2, 3]}\n", 2, "bodies[0] \"a\"",
+                {"angular_velocity is missing", "a list of 3 finite numbers (rad/s)"});
+  expectKeyRefused("angular_velocity: [0, 1e200, 0]", ".angular_velocity", {"energy", "is not finite", "allowed: "});
+  expectRefused(body({"inertia: [1e-300, 1e-300, 1e-300]", "angular_velocity: [0, 1e305, 0]"}), 4,
+                "bodies[0] \"brick\".angular_velocity", {"energy", "is not finite"});
+  EXPECT_EQ(readBody({"angular_velocity: [0, 1e100, 0]"}).omega_body.y(), 1e100);
+}

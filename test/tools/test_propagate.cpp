@@ -1,0 +1,290 @@
+// The program as its users meet it: a process with arguments, stdin, stdout, stderr and an exit code.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "poinsot/core/rotation.h"
+#include "poinsot/core/stepper.h"
+#include "run_program.h"
+
+namespace poinsot {
+namespace {
+
+const std::string kHeader = "id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\n";
+const std::string kRow = "a,1,2,3,1,0,0,0,0.01,1,0.02,2.5\n";
+const std::string kOutputHeader = "id,t,qw,qx,qy,qz,O1,O2,O3\n";
+
+Outcome propagate(const std::string& arguments, const std::string& input) {
+  return runProgram(std::string(PROPAGATE) + " " + arguments, input);
+}
+
+Outcome rk4(const std::string& input) { return propagate("--method rk4 --step 0.01", input); }
+
+struct OutputRow {
+  std::string id;
+  double t;
+  Eigen::Quaterniond attitude;
+  Eigen::Vector3d omega;
+};
+
+std::vector<OutputRow> parsed(const std::string& out) {
+  std::istringstream in(out);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line + "\n", kOutputHeader);
+  std::vector<OutputRow> rows;
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    std::string id, cell;
+    std::getline(cells, id, ',');
+    std::vector<double> v;
+    while (std::getline(cells, cell, ',')) v.push_back(std::strtod(cell.c_str(), nullptr));
+    if (v.size() != 8) {
+      ADD_FAILURE() << line;
+      continue;
+    }
+    rows.push_back({id, v[0], Eigen::Quaterniond(v[1], v[2], v[3], v[4]), {v[5], v[6], v[7]}});
+  }
+  return rows;
+}
+
+void expectRefused(const Outcome& outcome, const std::vector<std::string>& mentioned) {
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  for (const std::string& word : mentioned) {
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << "\"" << word << "\" in: " << outcome.err;
+  }
+}
+
+/** A row with one cell replaced; the columns in the order of kHeader. */
+std::string rowWith(int column, const std::string& value) {
+  std::vector<std::string> cells = {"a", "1", "2", "3", "1", "0", "0", "0", "0.01", "1", "0.02", "2.5"};
+  cells[column] = value;
+  std::string row;
+  for (const std::string& cell : cells) row += (row.empty() ? "" : ",") + cell;
+  return row + "\n";
+}
+
+TEST(Propagate, takesEqualStepsThatReachTheTimeExactly) {
+  for (const Method& method : methods()) {
+    for (const double t : {2.5, -2.5, 2.504, 1e-3}) {
+      const int n = std::ceil(std::abs(t) / 0.01);
+      RotationState state = RotationState::fromOmega({1, 2, 3}, Eigen::Quaterniond::Identity(), {0.01, 1, 0.02});
+      method.make({1, 2, 3})->advance(state, t / n, n);
+      if (state.attitude.w() < 0) state.attitude.coeffs() *= -1;
+      char time[32];
+      std::snprintf(time, sizeof time, "%.17g", t);
+      const Outcome outcome =
+          propagate("--step 0.01 --method " + std::string(method.name), kHeader + rowWith(11, time));
+      EXPECT_EQ(outcome.exit_code, 0);
+      EXPECT_EQ(outcome.err, "");
+      const std::vector<OutputRow> rows = parsed(outcome.out);
+      ASSERT_EQ(rows.size(), 1u);
+      EXPECT_EQ(rows[0].id, "a");
+      EXPECT_EQ(rows[0].t, t);
+      EXPECT_EQ(rows[0].attitude.coeffs(), state.attitude.coeffs());  // 17 digits bring every bit back
+      EXPECT_EQ(rows[0].omega, state.omegaBody({1, 2, 3}));
+    }
+  }
+}
+
+TEST(Propagate, timeZeroGivesTheNormalisedInput) {
+  const Outcome outcome = rk4(kHeader + "a,1,2,3,-2,0,4,4,0.1,-0.2,1e-300,0\nb,1,2,3,0,0,0,5,0x1.8p-3,2,3,-0.0\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, kOutputHeader +
+                             "a,0,0.33333333333333331,0,-0.66666666666666663,-0.66666666666666663,0.10000000000000001,"
+                             "-0.20000000000000001,1.0000000000000001e-300\nb,-0,0,0,0,1,0.1875,2,3\n");
+}
+
+TEST(Propagate, quaternionsOfAnySizeAreNormalised) {
+  for (const char* size : {"1e-320", "1e-200", "1e200", "1e308"}) {
+    const std::string row = std::string("a,1,2,3,") + size + "," + size + ",0,0,0.01,1,0.02,0\n";
+    const std::vector<OutputRow> rows = parsed(rk4(kHeader + row).out);
+    ASSERT_EQ(rows.size(), 1u) << size;
+    EXPECT_NEAR(rows[0].attitude.w(), std::sqrt(0.5), 1e-16);
+    EXPECT_NEAR(rows[0].attitude.x(), std::sqrt(0.5), 1e-16);
+  }
+}
+
+TEST(Propagate, theScalarPartIsNotNegative) {
+  std::string input = kHeader;
+  for (int i = 0; i < 50; ++i) input += rowWith(11, std::to_string(0.7 * i));
+  for (const OutputRow& row : parsed(rk4(input).out)) EXPECT_GE(row.attitude.w(), 0);
+}
+
+TEST(Propagate, publishedRows) {
+  // Those that are short enough for small steps; --step so that rk4's own error is below 1e-9.
+  std::ifstream file(TEST_DATA_DIR "/public.csv");
+  std::string line, input;
+  std::vector<Eigen::Quaterniond> truth;
+  while (std::getline(file, line)) {
+    std::vector<std::string> cells(1);
+    for (const char c : line) {
+      if (c == ',') {
+        cells.emplace_back();
+      } else {
+        cells.back() += c;
+      }
+    }
+    if (line[0] == '#' || cells[0] == "id") {
+      input += line + "\n";
+    } else if (std::abs(std::stod(cells[11])) <= 10 && cells[0] < "P055") {
+      input += line + "\n";
+      truth.emplace_back(std::stod(cells[12]), std::stod(cells[13]), std::stod(cells[14]), std::stod(cells[15]));
+    }
+  }
+  const Outcome outcome = propagate("--method rk4 --step 0.001", input);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<OutputRow> rows = parsed(outcome.out);
+  ASSERT_EQ(rows.size(), truth.size());
+  ASSERT_GE(rows.size(), 25u);
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_LE(angleBetween(rows[i].attitude, truth[i]), 1e-8) << rows[i].id;
+}
+
+TEST(Propagate, columnsInAnyOrderOthersIgnoredCommentsSkipped) {
+  const std::string expected = rk4(kHeader + kRow).out;
+  EXPECT_NE(expected, "");
+  for (const std::string& input :
+       {"# a comment\n\n" + kHeader + "#,,,\n  # another\n" + kRow + "\n   \n",
+        std::string("t,note,O03,O02,O01,q0z,q0y,q0x,q0w,mu3,mu2,mu1,id,note\n2.5,what,.02,1.0,1e-2,0,-0,0,1,3e0,+2,1.,a,x\n"),
+        std::string(" id , mu1,mu2 ,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\na, 1,2 ,\t3,1,0,0,0,0.01,1,0.02,2.5"),
+        "\xEF\xBB\xBF" + kHeader + kRow,
+        std::string("id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\r\na,1,2,3,1,0,0,0,0.01,1,0.02,2.5\r\n\r\n")}) {
+    const Outcome outcome = rk4(input);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, expected) << input;
+  }
+}
+
+TEST(Propagate, hexadecimalNumbersAreExact) {
+  const std::string decimal = kHeader + "a,1,2,3,1,0,0,0,0.10000000000000001,1,0.02,2.5\n";
+  const std::string hex = kHeader + "a,0x1p0,0X1P+1,0x1.8p1,1,0,0,0,0x1.999999999999ap-4,1,0x1.47ae147ae147bp-6,0x5p-1\n";
+  EXPECT_EQ(rk4(hex).out, rk4(decimal).out);
+  EXPECT_EQ(rk4(hex).exit_code, 0);
+  EXPECT_EQ(propagate("--method rk4 --step 0x1p-7", hex).out, propagate("--method rk4 --step 0.0078125", hex).out);
+}
+
+TEST(Propagate, decimalPointWhateverTheLocale) {
+  const std::string command = std::string("LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 ") + PROPAGATE;
+  EXPECT_EQ(runProgram(command + " --method rk4 --step 0.01", kHeader + kRow).out, rk4(kHeader + kRow).out);
+}
+
+TEST(Propagate, idsPassThroughUnchanged) {
+  const std::string ids[] = {"P001", " spaced out ", "", "näh;'|\\", "0012.50"};
+  std::string input = kHeader;
+  for (const std::string& id : ids) input += rowWith(0, id);
+  const std::vector<OutputRow> rows = parsed(rk4(input).out);
+  ASSERT_EQ(rows.size(), 5u);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(rows[i].id, ids[i]);
+}
+
+TEST(Propagate, noRowsIsAnEmptyTable) {
+  for (const std::string& input : {kHeader, kHeader.substr(0, kHeader.size() - 1), kHeader + "# nothing\n"}) {
+    const Outcome outcome = rk4(input);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, kOutputHeader);
+  }
+}
+
+TEST(Propagate, badCellsAreRefusedWithLineAndReason) {
+  const char* columns[] = {"id", "mu1", "mu2", "mu3", "q0w", "q0x", "q0y", "q0z", "O01", "O02", "O03", "t"};
+  for (int column = 1; column < 12; ++column) {
+    for (const char* bad : {"", "x", "1x", "1 2", "nan", "NaN", "inf", "-inf", "1e999", "0x", "1e", "--1", "1_0", "0b1",
+                            "1;5", "\v1"}) {
+      expectRefused(rk4("# comment\n" + kHeader + kRow + "\n" + rowWith(column, bad) + kRow), {"line 5", columns[column]});
+    }
+  }
+  expectRefused(rk4(kHeader + rowWith(2, "nan")), {"line 2", "mu2 is nan, not a finite number"});
+  expectRefused(rk4(kHeader + rowWith(11, "1s")), {"line 2", "t is \"1s\", not a number"});
+}
+
+TEST(Propagate, badBodiesAreRefused) {
+  for (int i = 1; i <= 3; ++i) {
+    for (const char* bad : {"0", "-1", "-0.0", "1e-400"}) {
+      expectRefused(rk4(kHeader + kRow + rowWith(i, bad)), {"line 3", "moment " + std::to_string(i), "positive"});
+    }
+  }
+  expectRefused(rk4(kHeader + rowWith(4, "0")), {"line 2", "quaternion is zero"});
+  // Moments of no real body are simulated.
+  EXPECT_EQ(rk4(kHeader + rowWith(3, "100")).exit_code, 0);
+}
+
+TEST(Propagate, rowsOfAnotherLengthAreRefused) {
+  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02\n"), {"line 3", "11 cells", "12"});
+  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02,2.5,\n"), {"line 3", "13 cells", "12"});
+  expectRefused(rk4(kHeader + "a\n"), {"line 2", "1 cells"});
+  expectRefused(rk4(kHeader + ",,,,,,,,,,,\n"), {"line 2", "mu1 is empty"});
+}
+
+TEST(Propagate, quotesAreRefused) {
+  expectRefused(rk4(kHeader + rowWith(0, "\"a\"")), {"line 2", "quotes"});
+  expectRefused(rk4("\"id\"" + kHeader.substr(2) + kRow), {"line 1", "quotes"});
+}
+
+TEST(Propagate, badHeadersAreRefused) {
+  expectRefused(rk4(""), {"line 1", "no header"});
+  expectRefused(rk4("# only\n\n"), {"line 3", "no header"});
+  expectRefused(rk4(kRow), {"line 1", "lacks id, mu1"});
+  expectRefused(rk4("id,mu1,mu2,q0w,q0x,q0y,q0z,O01,O02,O03\n"), {"line 1", "lacks mu3, t"});
+  expectRefused(rk4("\n" + kHeader.substr(0, kHeader.size() - 1) + ",mu2\n"), {"line 2", "mu2 twice"});
+  expectRefused(rk4("ID" + kHeader.substr(2)), {"line 1", "lacks id"});
+}
+
+TEST(Propagate, oneBadRowAndNothingComesOut) {
+  std::string input = kHeader;
+  for (int i = 0; i < 2000; ++i) input += kRow;
+  expectRefused(rk4(input + "bad\n"), {"line 2002"});
+}
+
+TEST(Propagate, tooManyStepsAreRefused) {
+  expectRefused(rk4(kHeader + kRow + rowWith(11, "1e300")), {"line 3", "1e12 steps"});
+  expectRefused(propagate("--method rk4 --step 1e-320", kHeader + kRow), {"line 2", "1e12 steps"});
+}
+
+TEST(Propagate, badUse) {
+  const std::string input = kHeader + kRow;
+  expectRefused(propagate("", input), {"closed_form", "lie_euler, buss2, rk4"});
+  expectRefused(propagate("--method closed_form", input), {"closed_form", "lie_euler, buss2, rk4"});
+  expectRefused(propagate("--method nonsense --step 0.1", input), {"nonsense", "rk4"});
+  expectRefused(propagate("--method rk4", input), {"rk4 needs --step"});
+  for (const std::string& bad : std::vector<std::string>{"0", "-0.1", "-0", "nan", "inf", "x", "0.1s", "''"}) {
+    expectRefused(propagate("--method rk4 --step " + bad, input), {"step"});
+    expectRefused(propagate("--method rk4 --step=" + bad, input), {"step"});
+  }
+  expectRefused(propagate("--method rk4 --step", input), {"step"});
+  expectRefused(propagate("--method rk4 --step 0.1 --step 0.2", input), {"step"});
+  expectRefused(propagate("--metod rk4 --step 0.1", input), {"--metod"});
+  expectRefused(propagate("--method rk4 --step 0.1 file.csv", input), {"file.csv"});
+  expectRefused(runProgram(std::string(PROPAGATE) + " --method rk4 --step 0.1 < /", ""), {"cannot read"});
+}
+
+TEST(Propagate, help) {
+  for (const char* flag : {"--help", "-h"}) {
+    const Outcome outcome = propagate(flag, "");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    for (const char* word : {"--method", "--step", "lie_euler", "q0w", "qw,qx,qy,qz", "Exit status"}) {
+      EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+    }
+  }
+}
+
+TEST(Propagate, stateThatOverflowsIsNoResult) {
+  const Outcome outcome = rk4(kHeader + kRow + rowWith(9, "1e200"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("line 3"), std::string::npos) << outcome.err;
+}
+
+TEST(Propagate, outputThatCannotBeWrittenIsReported) {
+  for (const char* where : {" > /dev/full", " >&-"}) {
+    const Outcome outcome = propagate(std::string("--method rk4 --step 0.01") + where, kHeader + kRow);
+    EXPECT_EQ(outcome.exit_code, 1) << where;
+    EXPECT_NE(outcome.err.find("cannot write"), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot
