@@ -8,7 +8,9 @@
 namespace poinsot::audit {
 namespace {
 
-std::string parentOf(const std::string& topic) { return topic.substr(0, std::min(topic.rfind('/'), topic.size())); }
+std::string parentOf(const std::string& topic) {
+  return topic.substr(0, std::min(topic.rfind('/'), topic.size()));
+}
 
 bool endsWith(const std::string& text, const std::string& tail) {
   return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
@@ -92,8 +94,8 @@ std::map<std::string, Body> Audit::bodies() const {
   }
   for (const auto& [key, odometry] : odometry_) {
     const std::string& frame = odometry.by_stamp.begin()->second.child_frame_id;
-    Body* body = bodies.count(key) ? &bodies[key]
-                                   : onlyOne(bodies, [&](const Body& b) { return endsWith(frame, b.name); });
+    Body* body =
+        bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return endsWith(frame, b.name); });
     if (!body) continue;  // somebody else's robot
     body->odometry.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
     body->odometry_backwards += odometry.backwards;

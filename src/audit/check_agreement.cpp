@@ -56,21 +56,23 @@ void pairUp(const Evidence& evidence, const ByStamp& partners, const std::string
     ++wanted;
     auto best = begin;
     for (auto it = begin; it != end; ++it) {
-      if (angleBetween(rotation(it->second), state.attitude) < angleBetween(rotation(best->second), state.attitude)) best = it;
+      if (angleBetween(rotation(it->second), state.attitude) < angleBetween(rotation(best->second), state.attitude))
+        best = it;
     }
     // Numbers that are not finite are another check's business.
     if (state.flaw.empty() && best->second.flaw.empty()) compare(state, best->second);
   }
   if (static_cast<double>(missing) > evidence.options.losses * static_cast<double>(wanted)) {
     judge.fail(seconds(first_missing->stamp),
-               nearest(*first_missing, partners, what) +
-                   text(" (missing for %lld of %lld states)", static_cast<long long>(missing),
-                        static_cast<long long>(wanted)));
+               nearest(*first_missing, partners, what) + text(" (missing for %lld of %lld states)",
+                                                              static_cast<long long>(missing),
+                                                              static_cast<long long>(wanted)));
   }
 }
 
 std::string rotationWrong(const char* whose, const Eigen::Quaterniond& q, const State& state) {
-  if (angleBetween(q, state.attitude.conjugate()) < 1e-9) return text("%s rotation is the inverse of the state's", whose);
+  if (angleBetween(q, state.attitude.conjugate()) < 1e-9)
+    return text("%s rotation is the inverse of the state's", whose);
   return text("%s rotation differs from the state's by %.3g rad", whose, angleBetween(q, state.attitude));
 }
 
@@ -78,7 +80,9 @@ std::string positionWrong(const char* whose, const Eigen::Vector3d& p, const Sta
   return text("%s position differs from the state's by %.3g m", whose, (p - state.position).norm());
 }
 
-double positionBound(const State& state) { return 1e-12 * std::max(1.0, state.position.norm()); }
+double positionBound(const State& state) {
+  return 1e-12 * std::max(1.0, state.position.norm());
+}
 
 void judgeTf(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
@@ -88,7 +92,8 @@ void judgeTf(const Evidence& evidence, std::vector<Check>& checks) {
   const auto* found = evidence.transforms.moving(body.frame);
   pairUp(evidence, found ? *found : none, "tf", judge, rotation, [&](const State& s, const Transform& t) {
     const double at = seconds(s.stamp);
-    judge.compare(angleBetween(t.rotation, s.attitude), kAngle, at, [&] { return rotationWrong("tf's", t.rotation, s); });
+    judge.compare(angleBetween(t.rotation, s.attitude), kAngle, at,
+                  [&] { return rotationWrong("tf's", t.rotation, s); });
     judge.compare((t.translation - s.position).norm(), positionBound(s), at,
                   [&] { return positionWrong("tf's", t.translation, s); });
     if (t.parent != s.frame_id) {

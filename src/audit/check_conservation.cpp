@@ -33,8 +33,12 @@ std::vector<Segment> segmentsOf(const Body& body) {
 }
 
 /** E and L from attitude, omega_body and the tensor: no other field is believed. */
-double energyOf(const Inertia& inertia, const State& s) { return inertia.energy(s.omega_body); }
-Eigen::Vector3d momentumOf(const Inertia& inertia, const State& s) { return s.attitude * (inertia.tensor * s.omega_body); }
+double energyOf(const Inertia& inertia, const State& s) {
+  return inertia.energy(s.omega_body);
+}
+Eigen::Vector3d momentumOf(const Inertia& inertia, const State& s) {
+  return s.attitude * (inertia.tensor * s.omega_body);
+}
 
 std::string tooMuch(const char* what, double figure, double allowed, double ceiling, const MethodBounds& bounds,
                     double span) {
@@ -43,7 +47,8 @@ std::string tooMuch(const char* what, double figure, double allowed, double ceil
                                   bounds.step() > 0 ? text(" at step %g s", bounds.step()).c_str() : "");
   if (figure > ceiling) {
     if (figure <= allowed) return drift + ": " + method + text(" is too coarse for ground truth (at most %g)", ceiling);
-    return drift + text(", more than %s allows (%.3g) and more than ground truth may (%g)", method.c_str(), allowed, ceiling);
+    return drift +
+           text(", more than %s allows (%.3g) and more than ground truth may (%g)", method.c_str(), allowed, ceiling);
   }
   return drift + text(", more than %s allows (%.3g)", method.c_str(), allowed);
 }
@@ -68,10 +73,10 @@ void judgeFree(const Evidence& evidence, const std::vector<Segment>& segments, s
         }
         continue;
       }
-      const double e_allowed = bounds.energy(inertia, first.omega_body, first.time) +
-                               bounds.energy(inertia, s->omega_body, s->time);
-      const double l_allowed = bounds.momentum(inertia, first.omega_body, first.time) +
-                               bounds.momentum(inertia, s->omega_body, s->time);
+      const double e_allowed =
+          bounds.energy(inertia, first.omega_body, first.time) + bounds.energy(inertia, s->omega_body, s->time);
+      const double l_allowed =
+          bounds.momentum(inertia, first.omega_body, first.time) + bounds.momentum(inertia, s->omega_body, s->time);
       const Eigen::Vector3d l = momentumOf(inertia, *s);
       const double de = std::abs(energyOf(inertia, *s) / e0 - 1), dl = std::abs(l.norm() / l0.norm() - 1);
       energy.compare(de, std::min(e_allowed, ceiling), at,
@@ -107,8 +112,8 @@ void judgeWorldTorque(const Evidence& evidence, const std::vector<Segment>& segm
     const State& fastest = la.norm() > lb.norm() ? a : b;
     const double far = std::max(std::abs(a.time), std::abs(b.time));
     // A method's L may be no better than its order once there is a torque.
-    const double allowed = 3 * bounds.momentum(inertia, fastest.omega_body, far) +
-                           3 * bounds.energy(inertia, fastest.omega_body, far);
+    const double allowed =
+        3 * bounds.momentum(inertia, fastest.omega_body, far) + 3 * bounds.energy(inertia, fastest.omega_body, far);
     for (const State* s : segment.states) {
       const Eigen::Vector3d line = la + (s->time - a.time) / span * (lb - la);
       const double off = (momentumOf(inertia, *s) - line).norm() / scale;
@@ -188,11 +193,12 @@ void judgeDriftFields(const Evidence& evidence, const std::vector<Segment>& segm
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks) {
   const std::vector<Segment> segments = segmentsOf(evidence.body);
   const auto& descriptions = evidence.body.descriptions;
-  const auto all = [&descriptions](auto&& holds) { return std::all_of(descriptions.begin(), descriptions.end(), holds); };
+  const auto all = [&descriptions](auto&& holds) {
+    return std::all_of(descriptions.begin(), descriptions.end(), holds);
+  };
   const auto onlyFrom = [](const Description& d, auto&& allowed) {
-    return std::all_of(d.effects.begin(), d.effects.end(), [&](const std::string& line) {
-      return line.rfind("translation", 0) == 0 || allowed(line);
-    });
+    return std::all_of(d.effects.begin(), d.effects.end(),
+                       [&](const std::string& line) { return line.rfind("translation", 0) == 0 || allowed(line); });
   };
   const auto worldTorque = [](const std::string& line) {
     return line.rfind("constant_torque", 0) == 0 && line.find("world") != std::string::npos;

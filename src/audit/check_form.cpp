@@ -7,7 +7,7 @@
 namespace poinsot::audit {
 namespace {
 
-constexpr double kUnit = 1e-12;   // of a quaternion's norm
+constexpr double kUnit = 1e-12;    // of a quaternion's norm
 constexpr double kFields = 1e-14;  // of fields that follow from others of the same message
 
 void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
@@ -51,12 +51,14 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
                      [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
   }
   if (evidence.options.odometry && body.odometry_backwards > 0) {
-    stamps.fail(0, text("odometry: %lld stamps lie before the one before", static_cast<long long>(body.odometry_backwards)));
+    stamps.fail(
+        0, text("odometry: %lld stamps lie before the one before", static_cast<long long>(body.odometry_backwards)));
   }
   if (evidence.options.tf && !body.frame.empty()) {
     for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
       const auto backwards = static_cast<long long>(evidence.transforms.backwards(frame));
-      if (backwards > 0) stamps.fail(0, text("tf of %s: %lld stamps lie before the one before", frame.c_str(), backwards));
+      if (backwards > 0)
+        stamps.fail(0, text("tf of %s: %lld stamps lie before the one before", frame.c_str(), backwards));
     }
   }
   checks.push_back(stamps.verdict());
@@ -117,17 +119,20 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
     omega.compare((s.omega_world - s.attitude * s.omega_body).norm() / omega_scale, kFields, at, [&] {
       const bool body_axes = (s.omega_world - s.omega_body).norm() < 1e-9 * omega_scale;
       const bool inverse = (s.omega_world - s.attitude.conjugate() * s.omega_body).norm() < 1e-9 * omega_scale;
-      return std::string("omega_world is not R omega_body") +
-             (body_axes ? " (it is omega_body)" : inverse ? " (R looks inverted)" : "");
+      return std::string("omega_world is not R omega_body") + (body_axes ? " (it is omega_body)"
+                                                               : inverse ? " (R looks inverted)"
+                                                                         : "");
     });
-    momentum.compare((s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at,
-                     [&] {
-                       const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
-                       const bool world = (s.momentum_world - inertia.tensor * s.omega_world).norm() < 1e-9 * l_scale;
-                       return text("momentum_world is not R M omega_body%s; its length is %.6g times |M omega_body|",
-                                   body_axes ? " (it is in body axes)" : world ? " (it is M omega_world)" : "",
-                                   s.momentum_world.norm() / l_scale);
-                     });
+    momentum.compare(
+        (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {
+          const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
+          const bool world = (s.momentum_world - inertia.tensor * s.omega_world).norm() < 1e-9 * l_scale;
+          return text("momentum_world is not R M omega_body%s; its length is %.6g times |M omega_body|",
+                      body_axes ? " (it is in body axes)"
+                      : world   ? " (it is M omega_world)"
+                                : "",
+                      s.momentum_world.norm() / l_scale);
+        });
     energy.compare(std::abs(s.kinetic_energy - e) / e_scale, kFields * inertia.conditionOfEnergy(s.omega_body), at,
                    [&] { return text("kinetic_energy is %.3f times ½ΩᵀMΩ", s.kinetic_energy / e_scale); });
   }

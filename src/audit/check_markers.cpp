@@ -18,7 +18,9 @@ constexpr double kMostLift = 1.05;  // of a polhode above the surface it would o
 
 using Frames = const Transforms&;
 
-std::string triple(const Eigen::Vector3d& v) { return text("(%.6g, %.6g, %.6g)", v.x(), v.y(), v.z()); }
+std::string triple(const Eigen::Vector3d& v) {
+  return text("(%.6g, %.6g, %.6g)", v.x(), v.y(), v.z());
+}
 
 std::vector<const Drawing*> drawingsOf(const Body& body, const std::string& what) {
   std::vector<const Drawing*> found;
@@ -80,8 +82,8 @@ std::string wrongSize(Shows shows, const Ellipsoid& drawn, const Expected& expec
   if (all(2)) return out + ": twice of it";
   if (energy && all(std::sqrt(0.5))) return out + ": they are sqrt(E/mu)";
   const Eigen::Vector3d mu = (axes.transpose() * expected.inertia.tensor * axes).diagonal();
-  const Eigen::Vector3d root = expected.scale * (expected.inertia.tensor * expected.state.omega_body).norm() *
-                               mu.cwiseSqrt().cwiseInverse();
+  const Eigen::Vector3d root =
+      expected.scale * (expected.inertia.tensor * expected.state.omega_body).norm() * mu.cwiseSqrt().cwiseInverse();
   if (!energy && (drawn.semi.cwiseQuotient(root).array() - 1).abs().maxCoeff() < 1e-3) out += ": they are sqrt(F/mu)";
   return out;
 }
@@ -90,7 +92,10 @@ std::string wrongSize(Shows shows, const Ellipsoid& drawn, const Expected& expec
 class Picture {
  public:
   Picture(const Evidence& evidence, const char* name)
-      : evidence_(evidence), body_(evidence.body), name_(name), omega_(drawingsOf(body_, name_ + "/omega")),
+      : evidence_(evidence),
+        body_(evidence.body),
+        name_(name),
+        omega_(drawingsOf(body_, name_ + "/omega")),
         polhode_(drawingsOf(body_, name_ + "/polhode")) {
     split(drawingsOf(body_, name_ + "/energy_ellipsoid"), energy_, moving_energy_);
     split(drawingsOf(body_, name_ + "/momentum_ellipsoid"), momentum_, moving_momentum_);
@@ -167,7 +172,8 @@ class Picture {
   void judgeSemiAxes(Shows shows, std::vector<Check>& checks) {
     const bool energy = shows == Shows::energy;
     Judge judge(label(energy ? "energy ellipsoid" : "momentum ellipsoid"), body_.key);
-    judge.ifNothing(std::string("no ") + (energy ? "energy_ellipsoid" : "momentum_ellipsoid") + " marker to compare with");
+    judge.ifNothing(std::string("no ") + (energy ? "energy_ellipsoid" : "momentum_ellipsoid") +
+                    " marker to compare with");
     const std::string frame = bodyFrame();
     for (const State& s : body_.states) {
       if (!s.flaw.empty() || s.omega_body.norm() == 0) continue;
@@ -238,8 +244,9 @@ class Picture {
       const Eigen::Vector3d wanted =
           descriptionOf(*s).metres_per_radian_per_second * (space ? s->omega_world : s->omega_body);
       drawn.compare((tip - wanted).norm() / wanted.norm() + centre.norm() / wanted.norm(), kDrawn, at_stamp, [&] {
-        return name_ + "/omega is drawn at " + triple(tip) + " m" + (centre.norm() > 0 ? " from " + triple(centre) : "") +
-               ", metres_per_radian_per_second times " + (space ? "omega_world" : "omega_body") + " is " + triple(wanted);
+        return name_ + "/omega is drawn at " + triple(tip) + " m" +
+               (centre.norm() > 0 ? " from " + triple(centre) : "") + ", metres_per_radian_per_second times " +
+               (space ? "omega_world" : "omega_body") + " is " + triple(wanted);
       });
 
       // Where the point lies in the axes in which the ellipsoids stand still.
@@ -254,7 +261,8 @@ class Picture {
         double best = std::numeric_limits<double>::infinity();
         for (const Drawing* e : at(d->stamp, shows)) {
           const auto ellipsoid = ellipsoidIn(frame, *e, evidence_.transforms, d->stamp);
-          if (ellipsoid && std::abs(ellipsoid->valueAt(point) - 1) < std::abs(best)) best = ellipsoid->valueAt(point) - 1;
+          if (ellipsoid && std::abs(ellipsoid->valueAt(point) - 1) < std::abs(best))
+            best = ellipsoid->valueAt(point) - 1;
         }
         if (!std::isfinite(best)) {
           if (unplaced++ == 0) unplaced_why = "no ellipsoid to compare with";
@@ -292,8 +300,10 @@ class Picture {
     Judge judge(label("polhode on both ellipsoids"), body_.key);
     judge.ifNothing("no " + name_ + "/polhode marker");
     for (const Drawing* d : polhode_) {
-      const bool line = d->type == visualization_msgs::Marker::LINE_STRIP || d->type == visualization_msgs::Marker::LINE_LIST;
-      const bool points = d->type == visualization_msgs::Marker::SPHERE_LIST || d->type == visualization_msgs::Marker::POINTS;
+      const bool line =
+          d->type == visualization_msgs::Marker::LINE_STRIP || d->type == visualization_msgs::Marker::LINE_LIST;
+      const bool points =
+          d->type == visualization_msgs::Marker::SPHERE_LIST || d->type == visualization_msgs::Marker::POINTS;
       if (!(line && d->points.size() >= 2) && !(points && !d->points.empty())) {
         judge.fail(seconds(d->stamp), "the polhode is no line of two points or more, and no list of points");
         continue;
@@ -326,8 +336,9 @@ class Picture {
         return text("a point of the polhode is off the ellipsoids by %.3g (with the common lift of %.4f undone)", best,
                     best_lift);
       });
-      judge.compare(std::max(best_lift - kMostLift, 1 - best_lift), kPolhode, seconds(d->stamp),
-                    [&] { return text("the polhode is drawn at %.4f times its size (1 to %g is lift)", best_lift, kMostLift); });
+      judge.compare(std::max(best_lift - kMostLift, 1 - best_lift), kPolhode, seconds(d->stamp), [&] {
+        return text("the polhode is drawn at %.4f times its size (1 to %g is lift)", best_lift, kMostLift);
+      });
     }
     checks.push_back(judge.verdict());
   }
@@ -361,7 +372,8 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
     const auto after = of_states.lower_bound(d.stamp);
     double off = std::abs(seconds(*after - d.stamp));
     if (after != of_states.begin()) off = std::min(off, std::abs(seconds(d.stamp - *std::prev(after))));
-    stamps.compare(off, 0, at, [&] { return text("no state has a marker's stamp; the nearest is %.1f ms off", 1e3 * off); });
+    stamps.compare(off, 0, at,
+                   [&] { return text("no state has a marker's stamp; the nearest is %.1f ms off", 1e3 * off); });
   }
   checks.push_back(form.verdict());
   if (moves || stamps.count() > 0) checks.push_back(stamps.verdict());
@@ -383,7 +395,8 @@ bool omegaMoves(const Body& body) {
 void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   const auto& descriptions = body.descriptions;
-  const bool free = std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
+  const bool free =
+      std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
   const bool turns = std::any_of(body.states.begin(), body.states.end(),
                                  [](const State& s) { return s.flaw.empty() && s.omega_body.norm() > 0; });
   judgeMarkerForm(body, free && turns, checks);

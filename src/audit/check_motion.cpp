@@ -57,9 +57,10 @@ void compareTurn(Judge& judge, const Interval& v, const Turn& turn, double allow
     const Eigen::Vector3d from_world = v.a.attitude.conjugate() * turn.theta;
     if ((actual - from_world).norm() < 0.1 * missed) return "omega_body looks like the angular velocity in world axes";
     const Eigen::Vector3d inverse = rotationVector(v.a.attitude * v.b.attitude.conjugate());
-    if ((inverse - turn.theta).norm() < 0.1 * missed) return "the attitude looks inverted: world to body, not body to world";
-    return text("R turns by %.6g rad in %.6g s of stamp, time_rate·Ω says %.6g rad; they differ by %.3g rad", actual.norm(),
-                v.stamps, std::sqrt(wanted), missed);
+    if ((inverse - turn.theta).norm() < 0.1 * missed)
+      return "the attitude looks inverted: world to body, not body to world";
+    return text("R turns by %.6g rad in %.6g s of stamp, time_rate·Ω says %.6g rad; they differ by %.3g rad",
+                actual.norm(), v.stamps, std::sqrt(wanted), missed);
   });
 }
 
@@ -108,12 +109,13 @@ void judgeFreeRotation(const Evidence& evidence, std::vector<Check>& checks) {
     }
     const double w = inertia->fastestRate(v.a.omega_body);
     const auto allowed = [&](double duration) {
-      return bounds->known() ? bounds->local(*inertia, v.a.omega_body, duration, std::max(std::abs(v.a.time), std::abs(v.b.time)))
-                             : 1e-3 * w * std::abs(duration) + 1e-12;
+      return bounds->known()
+                 ? bounds->local(*inertia, v.a.omega_body, duration, std::max(std::abs(v.a.time), std::abs(v.b.time)))
+                 : 1e-3 * w * std::abs(duration) + 1e-12;
     };
     const double own = freeMotionError(*inertia, v.a.omega_body, v.duration), method = allowed(v.duration);
-    const auto end = own + method < kTooVague ? freeMotion(*inertia, {v.a.attitude, v.a.omega_body}, v.duration)
-                                              : std::nullopt;
+    const auto end =
+        own + method < kTooVague ? freeMotion(*inertia, {v.a.attitude, v.a.omega_body}, v.duration) : std::nullopt;
     if (!end) {
       ++skipped;
       return;
@@ -308,7 +310,8 @@ void judgePosition(const Evidence& evidence, std::vector<Check>& checks) {
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks) {
   judgeTime(evidence, checks);
   const auto& descriptions = evidence.body.descriptions;
-  const bool free = std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
+  const bool free =
+      std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
   if (free) {
     judgeFreeRotation(evidence, checks);
   } else {

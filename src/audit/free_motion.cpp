@@ -48,8 +48,8 @@ double Inertia::conditionOfMomentum(const Eigen::Vector3d& omega_body) const {
 }
 
 std::optional<FreeState> freeMotion(const Inertia& inertia, const FreeState& start, double duration) {
-  const double substeps = std::max(1.0, std::ceil(inertia.fastestRate(start.omega_body) * std::abs(duration) /
-                                                  kSubstepAngle));
+  const double substeps =
+      std::max(1.0, std::ceil(inertia.fastestRate(start.omega_body) * std::abs(duration) / kSubstepAngle));
   if (!(substeps <= kMostSubsteps)) return std::nullopt;
   const double h = duration / substeps;
 

@@ -6,9 +6,9 @@
 namespace poinsot::audit {
 namespace {
 
-// How much an order allows: measured, times three to five. Largest over 300 random bodies (moments up to 1:100, w·h from
-// 0.001 to 0.3, up to 2000 rad) of |ΔE/E| / ((wh)^p (1 + w|t|)): lie_euler 0.61, buss2 0.013, splitting2 0.027, rk4 5e-5
-// (its L: 4e-4); of a step's attitude error / (wh)^(p+1): 0.19, 0.06, 0.08, 8e-4.
+// How much an order allows: measured, times three to five. Largest over 300 random bodies (moments up to 1:100, w·h
+// from 0.001 to 0.3, up to 2000 rad) of |ΔE/E| / ((wh)^p (1 + w|t|)): lie_euler 0.61, buss2 0.013, splitting2 0.027,
+// rk4 5e-5 (its L: 4e-4); of a step's attitude error / (wh)^(p+1): 0.19, 0.06, 0.08, 8e-4.
 constexpr double kNotMeasured = 0.2, kLocal = 0.6;
 
 struct Row {
@@ -74,8 +74,7 @@ double MethodBounds::momentum(const Inertia& inertia, const Eigen::Vector3d& ome
   return rounding + (known_ && conserves_momentum_ ? 0 : growth(inertia, omega_body, t));
 }
 
-double MethodBounds::local(const Inertia& inertia, const Eigen::Vector3d& omega_body, double duration,
-                           double t) const {
+double MethodBounds::local(const Inertia& inertia, const Eigen::Vector3d& omega_body, double duration, double t) const {
   if (!known_) return std::numeric_limits<double>::infinity();
   const double w = inertia.fastestRate(omega_body);
   const double parting = std::exp(std::min(50.0, inertia.partingRate(omega_body) * std::abs(duration)));

@@ -36,7 +36,9 @@ class FlawFinder {
   std::string& flaw_;
 };
 
-std::string frameName(const std::string& name) { return !name.empty() && name[0] == '/' ? name.substr(1) : name; }
+std::string frameName(const std::string& name) {
+  return !name.empty() && name[0] == '/' ? name.substr(1) : name;
+}
 
 }  // namespace
 
@@ -135,7 +137,8 @@ Drawing read(const visualization_msgs::Marker& message) {
   d.orientation = find.quaternion(d.orientation_as_sent, "pose.orientation");
   const auto ends = [&message](const char* what) {
     const std::string tail = std::string("/") + what;
-    return message.ns.size() > tail.size() && message.ns.compare(message.ns.size() - tail.size(), tail.size(), tail) == 0;
+    return message.ns.size() > tail.size() &&
+           message.ns.compare(message.ns.size() - tail.size(), tail.size(), tail) == 0;
   };
   const bool keep = ends("polhode") || ends("omega");
   if (keep) d.points.reserve(message.points.size());
@@ -157,12 +160,14 @@ bool Drawing::sameAs(const Drawing& other) const {
 bool Description::hasEffect(const std::string& type) const {
   return std::any_of(effects.begin(), effects.end(), [&type](const std::string& line) {
     return line.compare(0, type.size(), type) == 0 &&
-           (line.size() == type.size() || (!std::isalnum(static_cast<unsigned char>(line[type.size()])) &&
-                                           line[type.size()] != '_'));
+           (line.size() == type.size() ||
+            (!std::isalnum(static_cast<unsigned char>(line[type.size()])) && line[type.size()] != '_'));
   });
 }
 
-bool Description::isFree() const { return effects.empty() || (effects.size() == 1 && hasEffect("translation")); }
+bool Description::isFree() const {
+  return effects.empty() || (effects.size() == 1 && hasEffect("translation"));
+}
 
 const Description* Body::descriptionAt(Stamp stamp) const {
   const Description* found = nullptr;

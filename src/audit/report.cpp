@@ -47,7 +47,9 @@ void Judge::fail(double stamp, const std::string& detail) {
   ++failures_;
 }
 
-void Judge::note(const std::string& text) { note_ += (note_.empty() ? "" : "; ") + text; }
+void Judge::note(const std::string& text) {
+  note_ += (note_.empty() ? "" : "; ") + text;
+}
 
 Check Judge::verdict() const {
   Check check = check_;
@@ -91,8 +93,8 @@ std::ostream& operator<<(std::ostream& out, const Report& report) {
     body = std::max(body, check.body.size());
   }
   const int name_width = static_cast<int>(name), body_width = static_cast<int>(body);
-  out << text("      %-*s  %-*s  %11s  %11s  %-7s  %11s\n", body_width, "body", name_width, "check", "worst", "bound", "unit",
-              "comparisons");
+  out << text("      %-*s  %-*s  %11s  %11s  %-7s  %11s\n", body_width, "body", name_width, "check", "worst", "bound",
+              "unit", "comparisons");
   for (const Check& check : report.checks) {
     out << text("%s  %-*s  %-*s  ", check.passed ? "PASS" : "FAIL", body_width, check.body.c_str(), name_width,
                 check.name.c_str());

@@ -40,10 +40,11 @@ bool StepperTrajectory::moveTo(std::int64_t n, const std::atomic<bool>& cancel) 
   if (const Checkpoint& start = nearestBefore(n); &start != &cursor_) cursor_ = Checkpoint(start);
   while (cursor_.n < n) {
     if (cancel) return false;
-    const bool known = cursor_.n < coarse_.back().n;  // going over old ground: note the way more finely
+    const bool known = cursor_.n < furthest_;  // going over old ground: note the way more finely
     const std::int64_t spacing = known ? fineSpacing() : spacing_;
     advanceTo(std::min(n, (cursor_.n / spacing + 1) * spacing));
-    remember();
+    furthest_ = std::max(furthest_, cursor_.n);
+    remember(known);
   }
   return true;
 }
@@ -53,16 +54,16 @@ void StepperTrajectory::advanceTo(std::int64_t n) {
   cursor_.n = n;
 }
 
-void StepperTrajectory::remember() {
-  if (cursor_.n > coarse_.back().n) {
-    if (cursor_.n % spacing_ != 0) return;
+void StepperTrajectory::remember(bool known) {
+  if (cursor_.n % spacing_ == 0) {
+    if (cursor_.n <= coarse_.back().n) return;
     coarse_.push_back(cursor_);
     if (coarse_.size() < kMostCheckpoints) return;
     for (std::size_t i = 0; 2 * i < coarse_.size(); ++i) coarse_[i] = coarse_[2 * i];
     coarse_.resize((coarse_.size() + 1) / 2);
     spacing_ *= 2;
     fine_.clear();
-  } else if (cursor_.n % fineSpacing() == 0 && cursor_.n % spacing_ != 0) {
+  } else if (known && cursor_.n % fineSpacing() == 0) {
     const std::int64_t interval = cursor_.n / spacing_;
     if (!fine_.empty() && (fine_.front().n / spacing_ != interval || fine_.back().n >= cursor_.n)) {
       if (fine_.front().n / spacing_ == interval) return;  // noted already

@@ -28,7 +28,7 @@ constexpr double kHead = 0.115;
 constexpr double kHeadLength = 0.17;
 constexpr double kTitleHeight = 0.21;
 constexpr double kSymbolHeight = 0.23;
-constexpr double kTitleDepth = 1.42;   // of a title below a picture's centre
+constexpr double kTitleDepth = 1.3;   // of the titles below the centres, at least
 constexpr double kPointerLength = 0.4;  // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
@@ -41,7 +41,7 @@ constexpr double kTrailSpacing = 0.012;  // m
 
 // For a viewer at +x: to the right of an arrow, so that ω's name does not stand on L while the two are parallel.
 const Eigen::Vector3d kBesideArrow(0, 0.17, 0);
-const Eigen::Vector3d kBesideBead(0.35, 0.2, 0.14);  // before it, to its right and above
+const Eigen::Vector3d kBesideBead(0.25, 0.12, 0.14);  // before it, to its right and above
 
 // Ids within <body>/label.
 enum LabelId { kBodyTitle, kSpaceTitle, kModelTitle, kMomentumSymbol, kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol };
@@ -165,10 +165,8 @@ void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
 }
 
 void BodyPicture::appendTitles(MarkerArray& out) const {
-  const double depth = std::max(kTitleDepth, shape_.boundingRadius() + 0.3);
-  const Eigen::Vector3d down(0, 0, -kTitleDepth);
-  out.markers.push_back(
-      text(kBodyTitle, names::kWorld, start_.position - Eigen::Vector3d(0, 0, depth), name_, kTitleHeight));
+  const Eigen::Vector3d down(0, 0, -std::max(kTitleDepth, shape_.boundingRadius() + 0.3));
+  out.markers.push_back(text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
   out.markers.push_back(text(kSpaceTitle, frames_.space, down, "in world axes", kTitleHeight));
   out.markers.push_back(
       text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));

@@ -34,8 +34,9 @@ void read(const std::string& file, Audit& audit) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Audits a recorded bag of Poinsot from its messages alone: a line per check with its worst figure.\n"
-               "Exit 0: all checks passed; 1: one failed; 2: bad use, unreadable bag, or nothing of Poinsot in it."};
+  CLI::App app{
+      "Audits a recorded bag of Poinsot from its messages alone: a line per check with its worst figure.\n"
+      "Exit 0: all checks passed; 1: one failed; 2: bad use, unreadable bag, or nothing of Poinsot in it."};
   std::string file;
   poinsot::audit::Options options;
   std::vector<std::string> without;

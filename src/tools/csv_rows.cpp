@@ -38,7 +38,8 @@ class Lines {
       if (!line.empty() && line.back() == '\r') line.pop_back();
       const std::size_t first = line.find_first_not_of(kBlanks);
       if (first == std::string::npos || line[first] == '#') continue;
-      if (line.find('"') != std::string::npos) throw CsvError(number_, "quotes are not understood; write cells without");
+      if (line.find('"') != std::string::npos)
+        throw CsvError(number_, "quotes are not understood; write cells without");
       return true;
     }
     return false;
@@ -96,8 +97,8 @@ std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>
 double parseNumber(const std::string& text) {
   const std::string number = trimmed(text);
   if (number.empty()) throw std::invalid_argument("is empty");
-  // strtod rounds correctly and reads hexadecimal; no program here calls setlocale(), so its point is '.'. It would skip
-  // leading white space of other kinds, and stop at a NUL.
+  // strtod rounds correctly and reads hexadecimal; no program here calls setlocale(), so its point is '.'. It would
+  // skip leading white space of other kinds, and stop at a NUL.
   char* end = nullptr;
   const double value = std::strtod(number.c_str(), &end);
   const bool whole = end == number.c_str() + number.size() && !std::isspace(static_cast<unsigned char>(number[0]));

@@ -10,8 +10,7 @@ namespace poinsot::tools {
 /** What is wrong with a table, and on which physical line (from 1). what() is "line N: reason". */
 class CsvError : public std::runtime_error {
  public:
-  CsvError(long line, const std::string& reason)
-      : std::runtime_error("line " + std::to_string(line) + ": " + reason) {}
+  CsvError(long line, const std::string& reason) : std::runtime_error("line " + std::to_string(line) + ": " + reason) {}
 };
 
 struct CsvRow {

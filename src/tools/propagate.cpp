@@ -16,14 +16,15 @@ using poinsot::tools::CsvError;
 using poinsot::tools::CsvRow;
 using poinsot::tools::parseNumber;
 
-constexpr int kNo = 1, kBadInput = 2;      // exit codes
-constexpr double kMostSteps = 1e12;        // of one row: hours
+constexpr int kNo = 1, kBadInput = 2;  // exit codes
+constexpr double kMostSteps = 1e12;    // of one row: hours
 const std::vector<std::string> kColumns = {"id",  "mu1", "mu2", "mu3", "q0w", "q0x",
                                            "q0y", "q0z", "O01", "O02", "O03", "t"};
 
 const char kAbout[] =
     "Moves free rigid bodies: CSV of initial states and times on stdin, CSV of states on stdout.\n\n"
-    "Input columns, found by the names in the header, others ignored; lines that begin with # and empty lines skipped;\n"
+    "Input columns, found by the names in the header, others ignored; lines that begin with # and empty lines "
+    "skipped;\n"
     "decimal or C hexadecimal numbers:\n"
     "  id                  passed through\n"
     "  mu1 mu2 mu3         principal moments of inertia [kg m^2]\n"
@@ -32,7 +33,8 @@ const char kAbout[] =
     "  t                   time of the state wanted [s], either sign\n"
     "Output columns: id,t,qw,qx,qy,qz,O1,O2,O3 with 17 significant digits, qw >= 0.\n\n"
     "A stepper takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused.\n"
-    "Exit status: 0; 1 when a state cannot be computed or written; 2 for bad use or input. Output comes whole or not at all.";
+    "Exit status: 0; 1 when a state cannot be computed or written; 2 for bad use or input. Output comes whole or not "
+    "at all.";
 
 /** A row that is fine as input but has no finite answer. */
 struct NoResult : std::runtime_error {
@@ -48,7 +50,8 @@ struct Task {
   double t;
 };
 
-/** The unit quaternion nearest to the one given; in long double, so that the result is correctly rounded but for 1 in 1000. */
+/** The unit quaternion nearest to the one given; in long double, so that the result is correctly rounded but for 1 in
+ * 1000. */
 Eigen::Quaterniond normalised(double w, double x, double y, double z) {
   const long double lw = w, lx = x, ly = y, lz = z;
   const long double norm = std::sqrt(lw * lw + lx * lx + ly * ly + lz * lz);

@@ -216,7 +216,8 @@ Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& 
   // The polhode is where the true motion leads the point of the model picture.
   const Truth exact = anyBody(tensor, start.attitude, start.omega_body);
   std::vector<geometry_msgs::Point> polhode;
-  for (int i = 0; i <= 200; ++i) polhode.push_back(xyz<geometry_msgs::Point>(1.01 * s.scale * exact(0.02 * i).omega_body));
+  for (int i = 0; i <= 200; ++i)
+    polhode.push_back(xyz<geometry_msgs::Point>(1.01 * s.scale * exact(0.02 * i).omega_body));
   for (const std::string picture : {"space", "model"}) {
     const std::string where = picture == "space" ? turning : model, ns = s.body + "/" + picture + "/";
     Marker energy = marker(ns + "energy_ellipsoid", where, Marker::SPHERE);

@@ -28,7 +28,9 @@ std::string print(const Report& report) {
   return out.str();
 }
 
-void expectPass(const Report& report) { EXPECT_TRUE(report.passed()) << print(report); }
+void expectPass(const Report& report) {
+  EXPECT_TRUE(report.passed()) << print(report);
+}
 
 /** Exactly these checks fail, and one of them says this (a regular expression). */
 void expectFailures(const Report& report, const std::set<std::string>& names, const std::string& words) {
@@ -131,7 +133,8 @@ TEST(Correct, SpeedPauseStepBackwards) {
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     ticks[i].time_rate = i < 40 ? 1 : i < 80 ? 2.5 : i < 110 ? 0 : i == 110 ? 1 : i < 140 ? 0 : -2;
     if (i > 0) {
-      ticks[i].time = ticks[i - 1].time + ticks[i - 1].time_rate * 1e-9 * static_cast<double>(ticks[i].stamp - ticks[i - 1].stamp);
+      ticks[i].time =
+          ticks[i - 1].time + ticks[i - 1].time_rate * 1e-9 * static_cast<double>(ticks[i].stamp - ticks[i - 1].stamp);
     }
   }
   expectPass(asymmetric(ticks).judged());
@@ -206,9 +209,10 @@ TEST(Wrong, MomentumEllipsoidWithTheRoot) {
   scale.x = 2 * stream.setup.scale * l / std::sqrt(1);
   scale.y = 2 * stream.setup.scale * l / std::sqrt(2);
   scale.z = 2 * stream.setup.scale * l / std::sqrt(3);
-  expectFailures(stream.judged(),
-                 {"momentum ellipsoid (model)", "omega on both ellipsoids (model)", "polhode on both ellipsoids (model)"},
-                 "momentum ellipsoid's semi-axes are .*expected \\|L\\|/mu = .*they are sqrt\\(F/mu\\)");
+  expectFailures(
+      stream.judged(),
+      {"momentum ellipsoid (model)", "omega on both ellipsoids (model)", "polhode on both ellipsoids (model)"},
+      "momentum ellipsoid's semi-axes are .*expected \\|L\\|/mu = .*they are sqrt\\(F/mu\\)");
 }
 
 TEST(Wrong, EnergyEllipsoidWithoutTheTwo) {
@@ -293,7 +297,8 @@ TEST(Wrong, MomentumTurnsSlowly) {
     const Moment m = top(t);
     return Moment{Quaterniond(Eigen::AngleAxisd(1e-8 * t, Vector3d::UnitZ())) * m.attitude, m.omega_body};
   };
-  expectFailures(Stream(setup, turning, steadily(150)).judged(), {"L conserved"}, "L turns \\(in rad\\) by .*closed_form");
+  expectFailures(Stream(setup, turning, steadily(150)).judged(), {"L conserved"},
+                 "L turns \\(in rad\\) by .*closed_form");
 }
 
 TEST(Wrong, TimeRateOffByOnePercent) {

@@ -18,7 +18,7 @@ inline RotationState integrateFinely(const Eigen::Vector3d& moments, const Rotat
   const auto rate = [&](const State& s) -> State {
     const Real w = s[0], x = s[1], y = s[2], z = s[3], a = s[4], b = s[5], c = s[6];
     return {(-x * a - y * b - z * c) / 2, (w * a + y * c - z * b) / 2, (w * b + z * a - x * c) / 2,
-            (w * c + x * b - y * a) / 2, (m2 - m3) / m1 * b * c,       (m3 - m1) / m2 * c * a,
+            (w * c + x * b - y * a) / 2,  (m2 - m3) / m1 * b * c,      (m3 - m1) / m2 * c * a,
             (m1 - m2) / m3 * a * b};
   };
   const auto moved = [](const State& s, const State& d, Real h) {
@@ -26,14 +26,14 @@ inline RotationState integrateFinely(const Eigen::Vector3d& moments, const Rotat
     for (int i = 0; i < 7; ++i) out[i] = s[i] + h * d[i];
     return out;
   };
-  State s = {start.attitude.w(),      start.attitude.x(),      start.attitude.y(),
-             start.attitude.z(),      start.momentum_body[0] / m1, start.momentum_body[1] / m2,
-             start.momentum_body[2] / m3};
+  State s = {start.attitude.w(),          start.attitude.x(),          start.attitude.y(),         start.attitude.z(),
+             start.momentum_body[0] / m1, start.momentum_body[1] / m2, start.momentum_body[2] / m3};
   const double fastest = start.momentum_body.norm() / moments.minCoeff();
   const long steps = std::lround(std::ceil(std::abs(t) * fastest * 2048)) + 1;
   const Real h = static_cast<Real>(t) / steps;
   for (long n = 0; n < steps; ++n) {
-    const State k1 = rate(s), k2 = rate(moved(s, k1, h / 2)), k3 = rate(moved(s, k2, h / 2)), k4 = rate(moved(s, k3, h));
+    const State k1 = rate(s), k2 = rate(moved(s, k1, h / 2)), k3 = rate(moved(s, k2, h / 2)),
+                k4 = rate(moved(s, k3, h));
     for (int i = 0; i < 7; ++i) s[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
   }
   RotationState out;

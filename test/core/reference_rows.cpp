@@ -36,7 +36,8 @@ class Row {
   }
   /** The input of that name, which stands there twice. */
   double input(const std::string& name) const {
-    if (number(name) != number(name + "_hex")) throw std::runtime_error(values_[0] + ": " + name + " contradicts itself");
+    if (number(name) != number(name + "_hex"))
+      throw std::runtime_error(values_[0] + ": " + name + " contradicts itself");
     return number(name + "_hex");
   }
 

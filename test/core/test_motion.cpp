@@ -74,7 +74,8 @@ TEST(Motion, gridTimesThatAreNotExactDoNotJump) {
   Motion motion(wingnut("rk4", 0.1));
   for (int n = 1; n < 2000; ++n) {
     const double t = n * 0.1;
-    const MotionState at = motion.at(t), before = motion.at(std::nextafter(t, 0)), after = motion.at(std::nextafter(t, 1e9));
+    const MotionState at = motion.at(t), before = motion.at(std::nextafter(t, 0)),
+                      after = motion.at(std::nextafter(t, 1e9));
     EXPECT_LE(angleBetween(at.attitude, before.attitude), 1e-12) << t;
     EXPECT_LE(angleBetween(at.attitude, after.attitude), 1e-12) << t;
   }

@@ -12,7 +12,8 @@ namespace poinsot {
 namespace {
 
 /** The attitude's error after n equal steps to t. */
-double errorAt(const Stepper& stepper, const RotationState& start, const RotationState& truth, double t, std::int64_t n) {
+double errorAt(const Stepper& stepper, const RotationState& start, const RotationState& truth, double t,
+               std::int64_t n) {
   RotationState state = start;
   stepper.advance(state, t / n, n);
   return angleBetween(state.attitude, truth.attitude);
@@ -37,7 +38,8 @@ TEST(Order, isTheOneInTheTable) {
   for (int body = 0; body < 8; ++body) {
     const Eigen::Vector3d moments = draws.moments();
     const RotationState start = RotationState::fromOmega(moments, draws.attitude(), draws.direction());
-    for (const double t : {0.7, 3.1, -5.3, 8.9}) cases.push_back({moments, start, integrateFinely(moments, start, t), t});
+    for (const double t : {0.7, 3.1, -5.3, 8.9})
+      cases.push_back({moments, start, integrateFinely(moments, start, t), t});
   }
 
   for (const Method& method : methods()) {

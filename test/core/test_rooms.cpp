@@ -27,9 +27,10 @@ bool matches(const std::string& include, const std::string& pattern) {
 
 /** ROS: its libraries, anybody's messages, this package's messages, and the rooms that know ROS. */
 bool isRos(const std::string& include) {
-  return matches(include,
-                 R"(^(ros|rosbag|rosconsole|rosgraph|roscpp|tf|tf2|tf2_\w+|topic_tools|xmlrpcpp|XmlRpc\w*|rviz|pluginlib)"
-                 R"(|diagnostic_updater|dynamic_reconfigure|interactive_markers|message_filters|nodelet|cpp_common)/)") ||
+  return matches(
+             include,
+             R"(^(ros|rosbag|rosconsole|rosgraph|roscpp|tf|tf2|tf2_\w+|topic_tools|xmlrpcpp|XmlRpc\w*|rviz|pluginlib)"
+             R"(|diagnostic_updater|dynamic_reconfigure|interactive_markers|message_filters|nodelet|cpp_common)/)") ||
          matches(include, R"(^(\w+_)?(msgs|srvs)/|^XmlRpc|^poinsot/(Body\w*\.h|ros/|audit/))");
 }
 
@@ -37,7 +38,9 @@ bool isRoom(const std::string& include, const std::string& room) {
   return matches(include, "^poinsot/" + room + "/") || matches(include, "^(\\.\\./)+(\\w+/)*" + room + "/");
 }
 
-bool isYaml(const std::string& include) { return matches(include, R"(^(yaml-cpp/|yaml\.h))"); }
+bool isYaml(const std::string& include) {
+  return matches(include, R"(^(yaml-cpp/|yaml\.h))");
+}
 
 /** "file:line includes x" for each include of a room (in include/ and src/) that is not allowed there. */
 std::vector<std::string> offences(const std::string& room, bool (*forbidden)(const std::string&), int* files) {
@@ -70,17 +73,29 @@ void expectPure(const std::string& room, bool (*forbidden)(const std::string&)) 
 bool forbiddenInCore(const std::string& i) {
   return isRos(i) || isYaml(i) || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros") || isRoom(i, "audit");
 }
-bool forbiddenInView(const std::string& i) { return isRos(i) || isYaml(i) || isRoom(i, "scene") || isRoom(i, "ros"); }
-bool forbiddenInScene(const std::string& i) { return isRos(i) || isRoom(i, "view") || isRoom(i, "ros"); }
+bool forbiddenInView(const std::string& i) {
+  return isRos(i) || isYaml(i) || isRoom(i, "scene") || isRoom(i, "ros");
+}
+bool forbiddenInScene(const std::string& i) {
+  return isRos(i) || isRoom(i, "view") || isRoom(i, "ros");
+}
 /** Audit stands alone on the message types, which are what it is about. */
 bool forbiddenInAudit(const std::string& i) {
   return isRoom(i, "core") || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros");
 }
 
-TEST(Rooms, coreKnowsNobody) { expectPure("core", forbiddenInCore); }
-TEST(Rooms, viewKnowsCoreOnly) { expectPure("view", forbiddenInView); }
-TEST(Rooms, sceneKnowsCoreOnly) { expectPure("scene", forbiddenInScene); }
-TEST(Rooms, auditKnowsNoOtherRoom) { expectPure("audit", forbiddenInAudit); }
+TEST(Rooms, coreKnowsNobody) {
+  expectPure("core", forbiddenInCore);
+}
+TEST(Rooms, viewKnowsCoreOnly) {
+  expectPure("view", forbiddenInView);
+}
+TEST(Rooms, sceneKnowsCoreOnly) {
+  expectPure("scene", forbiddenInScene);
+}
+TEST(Rooms, auditKnowsNoOtherRoom) {
+  expectPure("audit", forbiddenInAudit);
+}
 
 TEST(Rooms, includesAreRecognised) {
   EXPECT_EQ(includeOf("#include <ros/ros.h>"), "ros/ros.h");
@@ -98,7 +113,8 @@ TEST(Rooms, aStrayIncludeWouldBeCaught) {
     EXPECT_TRUE(forbiddenInView(bad)) << bad;
     EXPECT_TRUE(forbiddenInScene(bad)) << bad;
   }
-  for (const char* bad : {"poinsot/view/curve.h", "poinsot/scene/scene.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
+  for (const char* bad :
+       {"poinsot/view/curve.h", "poinsot/scene/scene.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
     EXPECT_TRUE(forbiddenInCore(bad)) << bad;
   }
   for (const char* bad : {"poinsot/core/motion.h", "poinsot/view/curve.h", "poinsot/scene/scene.h", "../core/x.h"}) {
@@ -129,7 +145,8 @@ std::vector<std::string> neededBy(const std::string& library) {
 }
 
 bool isRosLibrary(const std::string& name) {
-  return matches(name, R"(^lib(ros|tf|xmlrpcpp|cpp_common|actionlib|message_filters|class_loader|poinsot_(ros|audit)))");
+  return matches(name,
+                 R"(^lib(ros|tf|xmlrpcpp|cpp_common|actionlib|message_filters|class_loader|poinsot_(ros|audit)))");
 }
 
 TEST(Rooms, coreAndViewLinkNoRosLibrary) {

@@ -34,8 +34,12 @@ class RotationLaws : public ::testing::Test {
   Draws draws_;
 };
 
-double difference(const Quaterniond& a, const Quaterniond& b) { return (a.coeffs() - b.coeffs()).cwiseAbs().maxCoeff(); }
-double difference(const Matrix3d& a, const Matrix3d& b) { return (a - b).cwiseAbs().maxCoeff(); }
+double difference(const Quaterniond& a, const Quaterniond& b) {
+  return (a.coeffs() - b.coeffs()).cwiseAbs().maxCoeff();
+}
+double difference(const Matrix3d& a, const Matrix3d& b) {
+  return (a - b).cwiseAbs().maxCoeff();
+}
 
 TEST_F(RotationLaws, logOfExp) {
   forAll([](const Vector3d& theta) {
@@ -46,9 +50,7 @@ TEST_F(RotationLaws, logOfExp) {
 }
 
 TEST_F(RotationLaws, logOfExpAsMatrices) {
-  forAll([](const Vector3d& theta) {
-    EXPECT_LE((logMatrix(expMatrix(theta)) - theta).stableNorm(), 2 * kRoundoff);
-  });
+  forAll([](const Vector3d& theta) { EXPECT_LE((logMatrix(expMatrix(theta)) - theta).stableNorm(), 2 * kRoundoff); });
 }
 
 TEST_F(RotationLaws, smallAnglesKeepTheirRelativePrecisionAsMatrices) {

@@ -47,7 +47,7 @@ TEST(StepperTrajectory, stateDoesNotDependOnHowOneGotThere) {
 
 TEST(StepperTrajectory, nothingIsLostWhenCheckpointsAreThinned) {
   // Checkpoints are 1024 steps apart and thinned when there are 16384 of them.
-  const std::int64_t far = std::int64_t{16384} * 1024 * 2 + 12345;
+  const std::int64_t far = std::int64_t{16384} * 1024 + 12345;
   StepperTrajectory path = trajectory();
   std::mt19937_64 random(5);
   std::vector<std::pair<std::int64_t, RotationState>> noted;
@@ -72,6 +72,17 @@ TEST(StepperTrajectory, playingBackwardsIsCheap) {
   }
   // Without notes inside an interval each of the 3125 visits would take 512 steps on average.
   EXPECT_LT(steps, 3125 * 80);
+}
+
+TEST(StepperTrajectory, playingBackwardsFromTheFurthestPointIsCheap) {
+  StepperTrajectory path = trajectory();
+  path.at(1023);  // no checkpoint but the start
+  std::int64_t steps = 0;
+  for (std::int64_t n = 1023; n > 0; --n) {
+    steps += path.stepsTo(n);
+    path.at(n);
+  }
+  EXPECT_LT(steps, 1023 * 40);
 }
 
 TEST(StepperTrajectory, stepsToCountsTheWork) {

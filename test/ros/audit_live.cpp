@@ -57,8 +57,8 @@ class Listener {
           ++heard_[topic];
           add(*message);
         };
-    subscribers_.push_back(node_.subscribe<Message>(topic, kQueue, hear, ros::VoidConstPtr(),
-                                                    ros::TransportHints().tcpNoDelay()));
+    subscribers_.push_back(
+        node_.subscribe<Message>(topic, kQueue, hear, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
   }
 
   ros::NodeHandle node_;

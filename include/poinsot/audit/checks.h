@@ -6,7 +6,8 @@
 #include "poinsot/audit/recording.h"
 #include "poinsot/audit/report.h"
 
-/** The questions, a family a function; each appends its checks for one body. doc/audit.md says where bounds come from. */
+/** The questions, a family a function; each appends its checks for one body. doc/audit.md says where bounds come from.
+ */
 namespace poinsot::audit {
 
 /** What every check sees. */

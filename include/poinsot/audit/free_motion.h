@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-/** The audit's own physics of a free body, in body axes (any, not only principal ones). Shares no code with the node's. */
+/** The audit's own physics of a free body, in body axes (any, not only principal ones). Shares no code with the node's.
+ */
 namespace poinsot::audit {
 
 /** exp of a rotation vector [rad]. */
@@ -36,13 +37,14 @@ struct FreeState {
 };
 
 /**
- * Euler's equations and the attitude over `duration` [s, either sign], by the classical Runge–Kutta method in substeps of
- * at most 0.005 rad at the fastest rate. Local error per substep below (0.005)⁵/30, see `freeMotionError`.
- * Nothing where more than 50 000 substeps would be needed.
+ * Euler's equations and the attitude over `duration` [s, either sign], by the classical Runge–Kutta method in substeps
+ * of at most 0.005 rad at the fastest rate. Local error per substep below (0.005)⁵/30, see `freeMotionError`. Nothing
+ * where more than 50 000 substeps would be needed.
  */
 std::optional<FreeState> freeMotion(const Inertia& inertia, const FreeState& start, double duration);
 
-/** What `freeMotion` and the rounding of its start may be off by at the end [rad, and Ω relative to the fastest rate]. */
+/** What `freeMotion` and the rounding of its start may be off by at the end [rad, and Ω relative to the fastest rate].
+ */
 double freeMotionError(const Inertia& inertia, const Eigen::Vector3d& omega_body, double duration);
 
 }  // namespace poinsot::audit

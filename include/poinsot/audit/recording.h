@@ -24,12 +24,22 @@ namespace poinsot::audit {
 
 using Stamp = std::int64_t;  ///< ROS time [ns]
 
-inline Stamp stampOf(const ros::Time& t) { return static_cast<Stamp>(t.sec) * 1000000000 + t.nsec; }
-inline double seconds(Stamp stamp) { return 1e-9 * static_cast<double>(stamp); }
+inline Stamp stampOf(const ros::Time& t) {
+  return static_cast<Stamp>(t.sec) * 1000000000 + t.nsec;
+}
+inline double seconds(Stamp stamp) {
+  return 1e-9 * static_cast<double>(stamp);
+}
 
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Point& v) { return {v.x, v.y, v.z}; }
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
+inline Eigen::Vector3d vectorOf(const geometry_msgs::Point& v) {
+  return {v.x, v.y, v.z};
+}
+inline Eigen::Vector3d vectorOf(const geometry_msgs::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) {
+  return {q.w, q.x, q.y, q.z};
+}
 
 /** The angle of the rotation that takes a to b [rad], in [0, π]; both unit, either sign. Accurate for small angles. */
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);

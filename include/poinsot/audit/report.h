@@ -13,12 +13,12 @@ struct Check {
   std::string name;
   std::string body;  ///< topic namespace of the body, e.g. "/a/wingnut"
   bool passed = false;
-  double worst = 0;         ///< the figure that comes closest to its bound, or exceeds it most
-  double bound = 0;         ///< what that figure may be
-  std::string unit;         ///< of both; empty for ratios
-  std::int64_t count = 0;   ///< how many comparisons were made
-  double worst_stamp = 0;   ///< stamp at which the worst figure was found [s]
-  std::string detail;       ///< in plain words: what is wrong, or what was not looked at and why
+  double worst = 0;        ///< the figure that comes closest to its bound, or exceeds it most
+  double bound = 0;        ///< what that figure may be
+  std::string unit;        ///< of both; empty for ratios
+  std::int64_t count = 0;  ///< how many comparisons were made
+  double worst_stamp = 0;  ///< stamp at which the worst figure was found [s]
+  std::string detail;      ///< in plain words: what is wrong, or what was not looked at and why
 };
 
 struct Report {

@@ -41,15 +41,16 @@ class StepperTrajectory {
 
   const Checkpoint& nearestBefore(std::int64_t n) const;
   void advanceTo(std::int64_t n);
-  void remember();
+  void remember(bool known);
   std::int64_t fineSpacing() const;
 
   std::shared_ptr<const Stepper> stepper_;
   double step_;
   Checkpoint cursor_;
-  std::vector<Checkpoint> coarse_;  ///< every spacing_ steps, from n = 0 to the furthest point reached
+  std::vector<Checkpoint> coarse_;  ///< every spacing_ steps, from n = 0 towards furthest_
   std::vector<Checkpoint> fine_;    ///< inside the one coarse interval that is being played backwards
   std::int64_t spacing_;
+  std::int64_t furthest_ = 0;  ///< greatest n reached
 };
 
 }  // namespace poinsot

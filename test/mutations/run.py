@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Shows that the audit can fail: changes one line of the node at a time, runs the audit against it, and demands that it
+reports just what is wrong.
+
+Usage: run.py BUILD_DIR   (made where missing; the source tree itself is not touched)
+
+The last line is "N passed, M failed"; exit 0 when all changes were caught, and the unchanged node passed.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+
+# name, file, what stands there (once), what is put there, what the audit must say
+MUTATIONS = [
+    ("energy without its half", "src/core/motion.cpp",
+     "out.kinetic_energy = 0.5 * omega.dot(", "out.kinetic_energy = omega.dot(",
+     r"kinetic_energy is 2(\.0*)? times"),
+    ("momentum ellipsoid with semi-axes sqrt(F/mu)", "src/view/ellipsoids.cpp",
+     "std::sqrt(momentum_squared) * moments.cwiseInverse()", "(momentum_squared * moments.cwiseInverse()).cwiseSqrt()",
+     r"momentum ellipsoid.*semi-axes"),
+    ("R transposed in tf", "src/ros/body.cpp",
+     "names::kWorld, frames_.body, state_.position, state_.attitude)",
+     "names::kWorld, frames_.body, state_.position, state_.attitude.conjugate())",
+     r"tf.*inverse"),
+    ("Omega in world axes in odometry", "src/ros/body.cpp",
+     "out.twist.twist.angular = toVector3(state_.omega_body);",
+     "out.twist.twist.angular = toVector3(state_.omega_world);",
+     r"odometry.*omega_world"),
+    ("tf 10 ms later than the state", "src/ros/node.cpp",
+     "body->appendTransforms(tick->stamp, transforms_);",
+     "body->appendTransforms(tick->stamp + ros::Duration(0.01), transforms_);",
+     r"no tf at the stamp of a state"),
+    ("L turning slowly", "src/core/motion.cpp",
+     "MotionState Motion::describe(double t, const RotationState& principal) const {",
+     "MotionState Motion::describe(double t, const RotationState& given) const {\n"
+     "  const RotationState principal{\n"
+     "      Eigen::Quaterniond(Eigen::AngleAxisd(1e-4 * t, Eigen::Vector3d::UnitX())) * given.attitude,\n"
+     "      given.momentum_body};",
+     r"L .*(turn|direction|drift)"),
+    ("time_rate off by 1 %", "src/ros/body.cpp",
+     "out.time_rate = tick.time_rate;", "out.time_rate = 1.01 * tick.time_rate;",
+     r"time_rate"),
+    ("ellipsoids scaled by radius instead of diameter", "src/ros/body_picture.cpp",
+     "m.scale = toVector3(2 * metres * semi_axes);", "m.scale = toVector3(metres * semi_axes);",
+     r"(radius|half)"),
+]
+
+
+def run(command, **options):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+
+
+def must(command, **options):
+    result = run(command, **options)
+    if result.returncode != 0:
+        sys.exit("%s failed:\n%s" % (" ".join(command), result.stdout[-4000:]))
+
+
+def copy_sources(target):
+    """Only what has changed is written, so that only that is compiled again."""
+    for folder, folders, files in os.walk(ROOT):
+        folders[:] = [f for f in folders if f not in (".git", "build", "__pycache__")]
+        there = os.path.join(target, os.path.relpath(folder, ROOT))
+        os.makedirs(there, exist_ok=True)
+        for name in files:
+            source, copy = os.path.join(folder, name), os.path.join(there, name)
+            if os.path.exists(copy) and open(source, "rb").read() == open(copy, "rb").read():
+                continue
+            shutil.copy(source, copy)
+
+
+def build(build_dir):
+    must(["cmake", "--build", build_dir, "--parallel", "2", "--target", "poinsot_node", "audit_live"])
+
+
+def audit(build_dir):
+    """Runs the audit; returns whether it passed and what it said."""
+    setup = os.path.join(build_dir, "devel", "setup.bash")
+    xml_file = os.path.join(build_dir, "audit.xml")
+    if os.path.exists(xml_file):
+        os.remove(xml_file)
+    result = run(["bash", "-c", "source '%s' && exec rostest --text --results-filename=audit.xml "
+                  "--results-base-dir='%s' poinsot audit.test" % (setup, build_dir)],
+                 env=dict(os.environ, ROS_IP="127.0.0.1"))
+    return result.returncode == 0, result.stdout
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        print(__doc__)
+        return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
+    work = os.path.realpath(sys.argv[1])
+    source, build_dir = os.path.join(work, "source"), os.path.join(work, "build")
+    copy_sources(source)
+    must(["cmake", "-S", source, "-B", build_dir, "-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DCMAKE_BUILD_TYPE=Release",
+          "-DCMAKE_CXX_FLAGS_RELEASE=-O1"])
+    build(build_dir)
+
+    passed = failed = 0
+
+    def report(good, name, detail=""):
+        nonlocal passed, failed
+        passed, failed = passed + good, failed + (not good)
+        print("%s  %s%s" % ("PASS" if good else "FAIL", name, detail), flush=True)
+
+    good, said = audit(build_dir)
+    report(good, "the node as it is passes", "" if good else "\n" + said[-6000:])
+    for name, file, old, new, expected in MUTATIONS:
+        path = os.path.join(source, file)
+        with open(path) as handle:
+            text = handle.read()
+        if text.count(old) != 1:
+            report(False, name, ": %s has %d places to change, one is needed" % (file, text.count(old)))
+            continue
+        with open(path, "w") as handle:
+            handle.write(text.replace(old, new))
+        try:
+            build(build_dir)
+            good, said = audit(build_dir)
+        finally:
+            with open(path, "w") as handle:
+                handle.write(text)
+        lines = [line.strip() for line in said.splitlines() if re.search(expected, line)]
+        if good:
+            report(False, name, ": the audit did not notice")
+        elif not lines:
+            report(False, name, ": the audit failed, but did not say /%s/:\n%s" % (expected, said[-6000:]))
+        else:
+            report(True, name, "\n        " + lines[0][:300])
+    print("%d passed, %d failed" % (passed, failed))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

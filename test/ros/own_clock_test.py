@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""The node as the owner of /clock, and how nodes end."""
+import os
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rospy  # noqa: E402
+import rostest  # noqa: E402
+from rosgraph_msgs.msg import Clock  # noqa: E402
+
+import graph  # noqa: E402
+import processes  # noqa: E402
+from poinsot.msg import BodyState  # noqa: E402
+
+RATE = 100
+PERIOD = 1000000000 // RATE  # ns
+
+
+class OwnClockTest(unittest.TestCase):
+    """One story: the tests run in the order of their names."""
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("own_clock_test")
+        cls.clock = graph.Listener("/clock", Clock)
+        cls.states = graph.Listener("/owner/wingnut/state", BodyState)
+        cls.followed = graph.Listener("/follower/wingnut/state", BodyState)
+        scene = processes.package_path("scenes", "dzhanibekov.yaml")
+        cls.follower = processes.start_node("/follower", {"scene_file": scene, "rate": RATE, "frame_prefix": "f/"})
+        graph.Control("/follower/poinsot")
+        cls.began = time.time()
+        cls.owner = processes.start_node("/owner", {"scene_file": scene, "rate": RATE, "publish_clock": True})
+        cls.control = graph.Control("/owner/poinsot")
+        graph.wait_for(cls.states.last, 15, "a state")
+
+    @classmethod
+    def tearDownClass(cls):
+        for process in (cls.owner, cls.follower):
+            process.close()
+
+    def clocks(self):
+        return [m.clock.to_nsec() for m in self.clock.all()]
+
+    def test_1_starts_above_zero(self):
+        first = graph.wait_for(self.clocks, 15, "/clock")[0]
+        self.assertGreater(first, 0)
+        self.assertLess(first * 1e-9, 10 + time.time() - self.began, "a clock of its own, not the wall's")
+
+    def test_2_advances_by_one_period_a_tick_at_about_wall_speed(self):
+        graph.wait_for(self.clocks, 15, "/clock")
+        self.clock.clear()
+        begin = time.time()
+        graph.wait_for(lambda: time.time() > begin + 3 and len(self.clocks()) > RATE, 60, "three seconds of /clock")
+        wall = time.time() - begin
+        clocks = self.clocks()
+        for a, b in zip(clocks, clocks[1:]):
+            self.assertGreater(b, a, "/clock never decreases, and no tick repeats it")
+            ticks = int(round((b - a) / PERIOD))  # more than one only where a message was lost on the way
+            self.assertLessEqual(abs((b - a) - ticks * PERIOD), 1)
+        one = sum(1 for a, b in zip(clocks, clocks[1:]) if b - a < 1.5 * PERIOD)
+        self.assertGreater(one, 0.9 * len(clocks))
+        pace = (clocks[-1] - clocks[0]) * 1e-9 / wall
+        print("pace against the wall clock: %.4f" % pace)
+        self.assertTrue(0.5 < pace < 1.2, pace)
+
+    def test_3_stamps_are_values_of_the_clock_with_every_listener(self):
+        for states in (self.states, self.followed):
+            self.assertTrue(self.control.pause(False).success)
+            first = states.next()
+            last = states.next_where(lambda s: (s.header.stamp - first.header.stamp).to_sec() > 1)
+            graph.wait_for(lambda: self.clock.last().clock >= last.header.stamp, 15, "the clock")
+            shown = set(self.clocks())
+            earliest = min(shown)
+            stamps = [s.header.stamp.to_nsec() for s in states.all()
+                      if earliest <= s.header.stamp.to_nsec() <= last.header.stamp.to_nsec()]
+            self.assertGreater(len(stamps), RATE / 4)
+            self.assertEqual(len(stamps), len(set(stamps)))
+            missing = [stamp for stamp in stamps if stamp not in shown]
+            self.assertLess(len(missing), 0.02 * len(stamps), missing)  # a message of /clock may be lost on the way
+
+    def test_4_runs_on_while_paused(self):
+        self.control.pause(True)
+        first = self.states.next_where(lambda s: s.time_rate == 0)
+        later = self.states.next_where(lambda s: (s.header.stamp - first.header.stamp).to_sec() > 0.5)
+        self.assertEqual(later.time, first.time)
+        self.assertGreater(self.clock.next().clock, first.header.stamp)
+        following = self.followed.next()
+        self.assertEqual(following.time_rate, 1, "who follows the clock is not paused")
+        self.control.reset()
+        self.control.pause(False)
+        self.states.next_where(lambda s: s.time_rate == 1)
+        clocks = self.clocks()
+        self.assertEqual(clocks, sorted(clocks), "a reset does not touch the clock")
+
+    def test_5_ends_cleanly_with_its_clock(self):
+        self.assertTrue(self.owner.running())
+        self.assertEqual(self.owner.interrupt(5), 0, self.owner.console)
+
+    def test_6_ends_cleanly_under_a_clock_that_stands_still(self):
+        self.assertTrue(self.follower.running())
+        self.assertEqual(self.follower.interrupt(5), 0, self.follower.console)
+
+    def test_7_ends_cleanly_under_a_clock_that_never_began(self):
+        node = processes.start_node("/waiting", {"scene_file": processes.package_path("scenes", "dzhanibekov.yaml")})
+        try:
+            graph.Control("/waiting/poinsot")
+            self.assertEqual(node.interrupt(5), 0, node.console)
+        finally:
+            node.close()
+
+    def test_8_a_slow_node_ends_as_promptly(self):
+        node = processes.start_node("/slow", {"scene_file": processes.package_path("scenes", "dzhanibekov.yaml"),
+                                              "rate": 0.01, "publish_clock": True})
+        try:
+            graph.Control("/slow/poinsot")
+            self.assertEqual(node.interrupt(5), 0, node.console)
+        finally:
+            node.close()
+
+
+if __name__ == "__main__":
+    rostest.rosrun("poinsot", "own_clock", OwnClockTest)

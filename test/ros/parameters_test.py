@@ -1,0 +1,190 @@
+#!/usr/bin/python3
+"""Bad parameters and bad scenes are refused at start, in words; good ones are heeded."""
+import math
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rospy  # noqa: E402
+import rostest  # noqa: E402
+
+import graph  # noqa: E402
+import processes  # noqa: E402
+from poinsot.msg import BodyState  # noqa: E402
+
+GOOD = """
+rate: 60
+bodies:
+  - name: top
+    inertia: [1, 2, 3]
+    angular_velocity: [0.1, 1, 0.1]
+"""
+
+# What is wrong with a scene, the scene, and words that the message must hold.
+BAD_SCENES = [
+    ("no YAML", "bodies: [name: {", ["not YAML"]),
+    ("an empty file", "", ["empty"]),
+    ("no bodies", "rate: 60\n", ["bodies", "missing"]),
+    ("empty bodies", "bodies: []\n", ["bodies", "at least one body"]),
+    ("a list", "- name: top\n", ["not a map"]),
+    ("an unknown key", GOOD + "    colour: red\n", ["colour", "unknown key", "top"]),
+    ("an unknown key above", GOOD + "speed: 3\n", ["speed", "unknown key"]),
+    ("a negative moment", GOOD.replace("[1, 2, 3]", "[1, -2, 3]"), ["inertia", "-2", "positive", "top"]),
+    ("a zero moment", GOOD.replace("[1, 2, 3]", "[1, 0, 3]"), ["inertia", "positive"]),
+    ("a moment that is no number", GOOD.replace("[1, 2, 3]", "[1, .nan, 3]"), ["inertia", "nan", "finite"]),
+    ("two moments", GOOD.replace("[1, 2, 3]", "[1, 2]"), ["inertia", "too short"]),
+    ("a tensor that is not symmetric", GOOD.replace("[1, 2, 3]", "[[1, 0.5, 0], [0, 2, 0], [0, 0, 3]]"),
+     ["inertia", "symmetric"]),
+    ("an infinite rate of turning", GOOD.replace("[0.1, 1, 0.1]", "[0.1, .inf, 0.1]"), ["angular_velocity", "finite"]),
+    ("an unknown method", GOOD + "    method: magic\n    step: 0.01\n", ["method", "magic", "buss2", "rk4"]),
+    ("a negative step", GOOD + "    method: rk4\n    step: -0.01\n", ["step", "-0.01", "positive"]),
+    ("a zero quaternion", GOOD + "    attitude: [0, 0, 0, 0]\n", ["attitude", "top"]),
+    ("an unknown effect", GOOD + "    effects: [{type: wind}]\n", ["wind", "translation"]),
+    ("a rate of zero", GOOD.replace("rate: 60", "rate: 0"), ["rate", "positive"]),
+    ("one name twice", GOOD + "  - {name: top, inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}\n", ["top", "second"]),
+    ("the name of a frame", GOOD.replace("name: top", "name: world"), ["world"]),
+]
+
+
+class ParametersTest(unittest.TestCase):
+    count = 0
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("parameters_test")
+        cls.node = processes.program("poinsot_node")
+        cls.directory = tempfile.mkdtemp()
+        cls.good = cls.file(GOOD, "good.yaml")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.directory)
+
+    @classmethod
+    def file(cls, text, name="scene.yaml"):
+        path = os.path.join(cls.directory, name)
+        with open(path, "w") as out:
+            out.write(text)
+        return path
+
+    def start(self, parameters, scene_tree_file=None):
+        """A node in a namespace of its own."""
+        ParametersTest.count += 1
+        namespace = "/case%d" % ParametersTest.count
+        node = processes.start_node(namespace, parameters, scene_tree_file)
+        self.addCleanup(node.close)
+        return namespace, node
+
+    def refused(self, what, parameters, words, scene_tree_file=None):
+        with self.subTest(what):
+            _, node = self.start(parameters, scene_tree_file)
+            code = node.wait(30)
+            message = node.err
+            self.assertEqual(code, 2, "exit code; it wrote: " + node.console)
+            for word in words:
+                self.assertIn(word, message)
+
+    def test_one_scene_must_be_given(self):
+        self.refused("neither", {}, ["neither", "~scene", "~scene_file"])
+        self.refused("both", {"scene_file": self.good}, ["both", "~scene", "~scene_file"], self.good)
+
+    def test_scene_file(self):
+        missing = os.path.join(self.directory, "missing.yaml")
+        self.refused("a missing file", {"scene_file": missing}, [missing, "No such file"])
+        self.refused("a directory", {"scene_file": self.directory}, [self.directory, "cannot be read"])
+        self.refused("a number", {"scene_file": 7}, ["~scene_file", "7", "path"])
+        self.refused("an empty path", {"scene_file": ""}, ["cannot be read"])
+
+    def test_bad_scenes_in_a_file(self):
+        for what, text, words in BAD_SCENES:
+            path = self.file(text)
+            self.refused(what, {"scene_file": path}, [path] + words)
+
+    def test_bad_scenes_as_parameters(self):
+        self.refused("a list", {"scene": [1, 2]}, ["/scene", "not a map"])
+        self.refused("a text", {"scene": "dzhanibekov"}, ["/scene", "not a map"])
+        for name in ("a negative moment", "an unknown method", "a zero quaternion", "one name twice", "empty bodies",
+                     "an unknown key"):
+            text, words = next((t, w) for what, t, w in BAD_SCENES if what == name)
+            self.refused(name, {}, words + ["/scene"], self.file(text))
+
+    def test_rate(self):
+        for value in (0, -60, 0.0, -1.5, math.nan, math.inf, "fast", "60", True, [60]):
+            self.refused("rate %r" % (value,), {"scene_file": self.good, "rate": value}, ["~rate", "positive"])
+
+    def test_publish_clock(self):
+        for value in (1, "true", 0.0):
+            self.refused("publish_clock %r" % (value,), {"scene_file": self.good, "publish_clock": value},
+                         ["~publish_clock", "true or false"])
+
+    def test_frame_prefix(self):
+        for value in (3, True, "a b", " ", "a-b", "/a", "1a"):
+            self.refused("frame_prefix %r" % (value,), {"scene_file": self.good, "frame_prefix": value},
+                         ["~frame_prefix", "letters"])
+
+    def runs(self, parameters, scene_tree_file=None):
+        namespace, node = self.start(parameters, scene_tree_file)
+        states = graph.Listener(namespace + "/top/state", BodyState)
+        state = graph.wait_for(states.last, 20, "a state")
+        states.close()
+        return namespace, node, state
+
+    def period(self, parameters, scene_tree_file=None):
+        """The length of a step [s], which is 1/rate, with the answer's words."""
+        namespace, _, _ = self.runs(parameters, scene_tree_file)
+        states = graph.Listener(namespace + "/top/state", BodyState)
+        control = graph.Control(namespace + "/poinsot")
+        control.pause()
+        before = states.next_where(lambda s: s.time_rate == 0)
+        answer = control.step()
+        self.assertTrue(answer.success)
+        after = states.next_where(lambda s: s.time_rate == 0 and s.time > before.time)
+        states.close()
+        return after.time - before.time
+
+    def test_rate_wins_over_the_scene(self):
+        self.assertAlmostEqual(self.period({"scene_file": self.good}), 1 / 60.0, delta=1e-9)
+        self.assertAlmostEqual(self.period({"scene_file": self.good, "rate": 20}), 0.05, delta=1e-9)
+        self.assertAlmostEqual(self.period({"rate": 12.5}, self.good), 0.08, delta=1e-9)
+
+    def test_moments_of_no_real_body_are_simulated_with_a_warning(self):
+        path = self.file(GOOD.replace("[1, 2, 3]", "[1, 2, 10]"), "unphysical.yaml")
+        for parameters, tree in (({"scene_file": path}, None), ({}, path)):
+            _, node, _ = self.runs(parameters, tree)
+            self.assertTrue(processes.eventually(lambda: "no real body" in node.console), node.console)
+            self.assertIn("WARN", node.console)
+            self.assertTrue(node.running())
+        _, node, _ = self.runs({"scene_file": self.good})
+        self.assertNotIn("WARN", node.console)
+
+    def test_check(self):
+        self.assertEqual(processes.run([self.node, "--check", self.good])[0], 0)
+        code, out, err = processes.run([self.node, "--check", self.file(GOOD.replace("[1, 2, 3]", "[1, 2, 10]"))])
+        self.assertEqual(code, 0)
+        self.assertIn("no real body", err)
+        for what, text, words in BAD_SCENES:
+            with self.subTest(what):
+                path = self.file(text)
+                code, out, err = processes.run([self.node, "--check", path])
+                self.assertEqual((code, out), (2, ""))
+                for word in [path] + words:
+                    self.assertIn(word, err)
+        self.assertEqual(processes.run([self.node, "--check", os.path.join(self.directory, "missing.yaml")])[0], 2)
+
+    def test_options(self):
+        code, out, _ = processes.run([self.node, "--help"])
+        self.assertEqual(code, 0)
+        for word in ("~scene", "~scene_file", "~rate", "~publish_clock", "~frame_prefix", "--check"):
+            self.assertIn(word, out)
+        for arguments in (["--nonsense"], ["--check"], ["some.yaml"]):
+            with self.subTest(arguments):
+                code, out, err = processes.run([self.node] + arguments)
+                self.assertEqual((code, out), (2, ""))
+                self.assertTrue(err)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("poinsot", "parameters", ParametersTest)

@@ -1,0 +1,276 @@
+// RViz itself, in this process, on whatever display there is: does it show what a file of rviz/ promises, without an error?
+// Usage: test_rviz VIEW.rviz SCENE.yaml --gtest_filter=WithNode.* or WithoutNode.*
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <ros/topic.h>
+#include <rviz/display_group.h>
+#include <rviz/properties/status_list.h>
+#include <rviz/render_panel.h>
+#include <rviz/visualization_frame.h>
+#include <rviz/visualization_manager.h>
+#include <tf2_msgs/TFMessage.h>
+#include <yaml-cpp/yaml.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QScreen>
+#include <QTemporaryDir>
+#include <QWindow>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "picture.h"
+
+namespace {
+
+QString view_file, scene_file;
+
+// What must be in a picture: less than half of what the scenes give, and far more than a picture without a node has.
+constexpr double kLeastOrange = 0.02;
+constexpr double kLeastBlue = 0.02;
+constexpr double kLeastSeam = 0.0005;
+constexpr double kMostOfOneColour = 0.9;
+constexpr double kLeastChange = 0.005;  // in kBetweenPictures seconds
+constexpr double kBetweenPictures = 1;
+
+constexpr double kHeadStart = 3;  // s that the node has been running when RViz comes
+constexpr double kPatience = 40;  // s, for a machine that is busy
+constexpr double kSettling = 3;   // s
+
+/** RViz's window, opened with a view as `rviz -d` does. One for the whole process: Ogre does not like to be started twice. */
+class Rviz {
+ public:
+  explicit Rviz(const QString& view) {
+    frame_.setApp(qApp);
+    frame_.setSplashPath("");
+    frame_.initialize(view);
+    frame_.show();
+  }
+
+  void load(const QString& view) { frame_.loadDisplayConfig(view); }
+
+  void spin(double seconds) {
+    spinUntil([] { return false; }, seconds);
+  }
+
+  /** Lets RViz work until the condition holds; true when it came to hold. */
+  bool spinUntil(const std::function<bool()>& condition, double seconds) {
+    QElapsedTimer timer;
+    for (timer.start(); timer.elapsed() < 1000 * seconds;) {
+      QApplication::processEvents(QEventLoop::AllEvents, 20);
+      if (condition()) return true;
+    }
+    return false;
+  }
+
+  /** Every status that is not OK, as "display / status: text". */
+  std::vector<std::string> complaints() {
+    std::vector<std::string> out;
+    collect(frame_.getManager()->getRootDisplayGroup(), "", out);
+    return out;
+  }
+
+  int displays() { return frame_.getManager()->getRootDisplayGroup()->numDisplays(); }
+
+  /** The namespaces of markers that are there to be seen. */
+  std::set<std::string> namespaces() {
+    std::set<std::string> out;
+    rviz::DisplayGroup* group = frame_.getManager()->getRootDisplayGroup();
+    for (int i = 0; i < group->numDisplays(); ++i) {
+      if (!group->getDisplayAt(i)->isEnabled()) continue;
+      const rviz::Property* list = group->getDisplayAt(i)->subProp("Namespaces");
+      for (int k = 0; k < list->numChildren(); ++k) {
+        if (list->childAt(k)->getValue().toBool()) out.insert(list->childAt(k)->getNameStd());
+      }
+    }
+    return out;
+  }
+
+  QImage picture(const QString& name) {
+    const QImage image = QApplication::primaryScreen()
+                             ->grabWindow(frame_.getManager()->getRenderPanel()->winId())
+                             .toImage()
+                             .convertToFormat(QImage::Format_RGB32);
+    QDir().mkpath(PICTURES);
+    const QString file = QString(PICTURES) + "/rviz_" + name + ".png";
+    EXPECT_TRUE(image.save(file)) << file.toStdString();
+    std::cout << file.toStdString() << " (" << image.width() << " x " << image.height() << "): " << sharesOf(image) << "\n";
+    return image;
+  }
+
+ private:
+  static void collect(rviz::Property* property, const std::string& path, std::vector<std::string>& out) {
+    const auto* status = dynamic_cast<rviz::StatusProperty*>(property);
+    const bool is_list = dynamic_cast<rviz::StatusList*>(property) != nullptr;
+    if (status && !is_list && status->getLevel() != rviz::StatusProperty::Ok) {
+      out.push_back(path + property->getNameStd() + ": " + property->getValue().toString().toStdString());
+    }
+    // A status list's own name ends in its worst level; the display's name before it says enough.
+    const std::string below = is_list || path.empty() ? path + (path.empty() ? " " : "") : path + property->getNameStd() + " / ";
+    for (int i = 0; i < property->numChildren(); ++i) collect(property->childAt(i), below, out);
+  }
+
+  rviz::VisualizationFrame frame_;
+};
+
+std::unique_ptr<Rviz> shown;
+
+std::string listed(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += "\n  " + line;
+  return out;
+}
+
+/** The file with one text replaced, as RViz would load it. */
+QString broken(const QTemporaryDir& directory, const QString& what, const QString& by) {
+  QFile in(view_file);
+  EXPECT_TRUE(in.open(QIODevice::ReadOnly));
+  QString text = in.readAll();
+  EXPECT_TRUE(text.contains(what)) << what.toStdString();
+  QFile out(directory.filePath("broken.rviz"));
+  EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(text.replace(what, by).toUtf8());
+  return out.fileName();
+}
+
+/** What a scene's bodies, all of which turn, must show at least. */
+std::set<std::string> wantedNamespaces() {
+  std::set<std::string> out;
+  for (const YAML::Node& body : YAML::LoadFile(scene_file.toStdString())["bodies"]) {
+    const std::string name = body["name"].as<std::string>();
+    for (const char* part : {"shape", "label"}) out.insert(name + "/" + part);
+    for (const char* picture : {"space", "model"}) {
+      for (const char* part : {"energy_ellipsoid", "momentum_ellipsoid", "polhode", "omega"}) {
+        out.insert(name + "/" + picture + "/" + part);
+      }
+    }
+    out.insert(name + "/space/angular_momentum");
+  }
+  return out;
+}
+
+std::vector<std::string> missingNamespaces() {
+  std::vector<std::string> out;
+  const std::set<std::string> there = shown->namespaces();
+  for (const std::string& wanted : wantedNamespaces()) {
+    if (there.count(wanted) == 0) out.push_back(wanted);
+  }
+  return out;
+}
+
+bool allThere() { return missingNamespaces().empty() && shown->complaints().empty(); }
+
+QString viewName() { return QFileInfo(view_file).completeBaseName(); }
+
+class WithNode : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    ASSERT_TRUE(QFileInfo::exists(scene_file))
+        << view_file.toStdString() << " is tested with " << scene_file.toStdString() << ", which does not exist";
+    ASSERT_TRUE(ros::topic::waitForMessage<tf2_msgs::TFMessage>("/tf", ros::Duration(kPatience))) << "no node";
+    ros::WallDuration(kHeadStart).sleep();
+    shown = std::make_unique<Rviz>(view_file);
+    shown->spinUntil(allThere, kPatience);
+    shown->spin(kSettling);
+  }
+  static void TearDownTestSuite() { shown.reset(); }
+
+  void SetUp() override { ASSERT_TRUE(shown) << "RViz was not started"; }
+};
+
+TEST_F(WithNode, noDisplayComplains) {
+  EXPECT_GT(shown->displays(), 0);
+  EXPECT_EQ(shown->complaints().size(), 0u) << listed(shown->complaints());
+}
+
+TEST_F(WithNode, allPartsOfThePicturesArrive) {
+  std::cout << shown->namespaces().size() << " namespaces of markers\n";
+  EXPECT_EQ(missingNamespaces().size(), 0u) << listed(missingNamespaces());
+}
+
+TEST_F(WithNode, theEllipsoidsAndTheLineWhereTheyMeetAreSeen) {
+  const Shares shares = sharesOf(shown->picture(viewName()));
+  EXPECT_GT(shares.orange, kLeastOrange);
+  EXPECT_GT(shares.blue, kLeastBlue);
+  EXPECT_GT(shares.seam, kLeastSeam);
+  EXPECT_LT(shares.commonest, kMostOfOneColour);
+}
+
+TEST_F(WithNode, thePictureMoves) {
+  const QImage before = shown->picture(viewName());
+  shown->spin(kBetweenPictures);
+  const double share = changed(before, shown->picture(viewName()));
+  std::cout << 100 * share << " % of the pixels changed\n";
+  EXPECT_GT(share, kLeastChange);
+}
+
+// The same checks must fail for a view that is wrong. These come last: they load other views.
+
+TEST_F(WithNode, zAWrongFrameIsNoticed) {
+  const QTemporaryDir directory;
+  shown->load(broken(directory, "Fixed Frame: world", "Fixed Frame: nowhere"));
+  EXPECT_TRUE(shown->spinUntil([] { return !shown->complaints().empty(); }, kPatience));
+  shown->spin(kSettling);
+  std::cout << "complaints:" << listed(shown->complaints()) << "\n";
+  const Shares shares = sharesOf(shown->picture(viewName() + "_wrong_frame"));
+  EXPECT_LT(shares.orange, kLeastOrange);
+  EXPECT_LT(shares.blue, kLeastBlue);
+}
+
+TEST_F(WithNode, zAnUnknownDisplayIsNoticed) {
+  const QTemporaryDir directory;
+  shown->load(broken(directory, "Class: rviz/Grid", "Class: rviz/NoSuchDisplay"));
+  EXPECT_TRUE(shown->spinUntil([] { return !shown->complaints().empty(); }, kPatience));
+  std::cout << "complaints:" << listed(shown->complaints()) << "\n";
+}
+
+TEST_F(WithNode, zAWrongTopicIsNoticed) {
+  const QTemporaryDir directory;
+  shown->load(broken(directory, "Marker Topic: markers_static", "Marker Topic: markers_statik"));
+  shown->spin(2 * kSettling);
+  EXPECT_FALSE(missingNamespaces().empty());
+  std::cout << "missing:" << listed(missingNamespaces()) << "\n";
+  const Shares shares = sharesOf(shown->picture(viewName() + "_wrong_topic"));
+  EXPECT_LT(shares.orange, kLeastOrange);
+  EXPECT_LT(shares.blue, kLeastBlue);
+  EXPECT_LT(shares.seam, kLeastSeam);
+}
+
+TEST(WithoutNode, nothingIsSeenAndRvizSaysSo) {
+  shown = std::make_unique<Rviz>(view_file);
+  shown->spin(3 * kSettling);
+  std::cout << "complaints:" << listed(shown->complaints()) << "\n";
+  EXPECT_FALSE(shown->complaints().empty());
+  EXPECT_EQ(missingNamespaces().size(), wantedNamespaces().size());
+  const Shares shares = sharesOf(shown->picture("alone"));
+  EXPECT_LT(shares.orange, kLeastOrange / 10);
+  EXPECT_LT(shares.blue, kLeastBlue / 10);
+  EXPECT_LT(shares.seam, kLeastSeam / 10);
+  EXPECT_GT(shares.commonest, kMostOfOneColour / 2);
+  shown.reset();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_rviz");
+  if (argc < 3) {
+    std::cerr << "usage: test_rviz VIEW.rviz SCENE.yaml\n";
+    return 2;
+  }
+  view_file = argv[1];
+  scene_file = argv[2];
+  QApplication application(argc, argv);
+  ros::NodeHandle handle;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# The scripts as a user calls them: bad use, bad scenes, a strange python3 in front, a picture, and that a failing test
+# is counted as one. The last line reads "N passed, M failed".
+source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
+set +e
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+
+# expect NAME EXIT_CODE PATTERN COMMAND...: both streams together must match the pattern.
+expect() {
+  local name=$1 code=$2 pattern=$3 said got
+  shift 3
+  said=$("$@" 2>&1 < /dev/null)
+  got=$?
+  if [ "$got" -eq "$code" ] && grep -qE -- "$pattern" <<< "$said"; then
+    passed=$((passed + 1))
+    echo "PASS  $name"
+  else
+    failed=$((failed + 1))
+    echo "FAIL  $name: exit $got, expected $code and /$pattern/"
+    tail -n 15 <<< "$said" | sed 's/^/        /'
+  fi
+}
+
+demo=$root/scripts/demo.sh
+expect "demo.sh --help" 0 'Usage: scripts/demo.sh' "$demo" --help
+expect "test.sh --help" 0 'Usage: scripts/test.sh' "$root/scripts/test.sh" --help
+expect "setup.sh --help" 0 'Usage: scripts/setup.sh' "$root/scripts/setup.sh" --help
+expect "setup.sh finds nothing missing" 0 '^$' "$root/scripts/setup.sh"
+expect "demo.sh: unknown option" 2 "unknown option '--headles'" "$demo" --headles
+expect "demo.sh: option without its value" 2 '--duration needs a value' "$demo" --duration
+expect "demo.sh: duration that is no number" 2 'duration' "$demo" --duration soon
+expect "demo.sh: duration zero" 2 'duration must be positive' "$demo" --duration 0
+expect "demo.sh: scene that does not exist" 2 'there is no scene nosuch; there are: .*dzhanibekov' "$demo" --scene nosuch
+expect "demo.sh: picture that cannot be written" 2 'cannot write /nowhere/shot.png' "$demo" --screenshot /nowhere/shot.png
+printf 'bodies:\n  - name: b\n    inertia: [1, -2, 3]\n    angular_velocity: [0, 0, 1]\n' > "$work/bad.yaml"
+expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$demo" --headless --scene "$work/bad.yaml"
+
+mkdir "$work/bin"
+printf '#!/bin/sh\necho "not the python3 you want" >&2\nexit 42\n' > "$work/bin/python3"
+cp "$work/bin/python3" "$work/bin/python"
+chmod +x "$work/bin/"*
+strange() { PATH="$work/bin:$PATH" "$@"; }
+expect "demo.sh draws a picture, with a strange python3 first in PATH" 0 "the picture is in $work/shot.png" \
+  strange "$demo" --headless --duration 5 --screenshot "$work/shot.png"
+colours() {
+  local image=$1
+  # How many pixels are near the colour of each ellipsoid, lit from the front.
+  local orange blue
+  orange=$(convert "$image" -fuzz 12% -fill black +opaque 'rgb(235,153,12)' -fill white -opaque 'rgb(235,153,12)' -format '%[fx:mean*w*h]' info:)
+  blue=$(convert "$image" -fuzz 12% -fill black +opaque 'rgb(26,104,200)' -fill white -opaque 'rgb(26,104,200)' -format '%[fx:mean*w*h]' info:)
+  echo "orange $orange blue $blue pixels"
+  awk "BEGIN {exit !($orange > 2000 && $blue > 2000)}"
+}
+expect "the picture holds both ellipsoids" 0 'orange' colours "$work/shot.png"
+convert -size 1600x900 xc:gray20 "$work/empty.png"
+expect "a picture without them would be noticed" 1 'orange' colours "$work/empty.png"
+
+# What counts the results must see a failure, a crash and an empty run.
+mkdir "$work/results" "$work/none"
+printf '<testsuite><testcase classname="a" name="b" status="run"/></testsuite>' > "$work/results/good.xml"
+count() { python3 "$root/scripts/count_tests.py" "$1"; }
+expect "a good result counts as passed" 0 '^1 0 0$' count "$work/results"
+printf '<testsuite><testcase classname="a" name="b"><failure message="broken"/></testcase></testsuite>' > "$work/results/bad.xml"
+expect "a failure counts as failed" 1 '^1 1 0$' count "$work/results"
+printf '<testsuite><testcase' > "$work/results/bad.xml"
+expect "a file that was cut off counts as failed" 1 '^1 1 0$' count "$work/results"
+expect "no result at all counts as failed" 1 '^0 1 0$' count "$work/none"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
