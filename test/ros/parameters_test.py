@@ -133,7 +133,7 @@ class ParametersTest(unittest.TestCase):
         return namespace, node, state
 
     def period(self, parameters, scene_tree_file=None):
-        """The length of a step [s], which is 1/rate, with the answer's words."""
+        """The length of a step [s], which is 1/rate."""
         namespace, _, _ = self.runs(parameters, scene_tree_file)
         states = graph.Listener(namespace + "/top/state", BodyState)
         control = graph.Control(namespace + "/poinsot")

@@ -17,6 +17,7 @@ import processes  # noqa: E402
 from poinsot.msg import BodyDescription, BodyState  # noqa: E402
 
 SCENES = sorted(glob.glob(processes.package_path("scenes", "*.yaml")))
+SCENES.append(processes.package_path("test", "ros", "scenes", "digits.yaml"))
 
 
 def bare(text, prefix):

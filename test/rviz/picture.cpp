@@ -61,8 +61,13 @@ Shares sharesOf(const QImage& picture) {
       if (std::min({colour.red(), colour.green(), colour.blue()}) >= kWhite) white.set(x, y);
     }
   }
+  int edge = 0, cut = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
+      if (x == 0 || y == 0 || x == width - 1 || y == height - 1) {
+        ++edge;
+        cut += orange.at(x, y) || blue.at(x, y);
+      }
       if (white.at(x, y) && orange.near(x, y) && blue.near(x, y)) seam.set(x, y);
     }
   }
@@ -70,6 +75,7 @@ Shares sharesOf(const QImage& picture) {
   shares.orange = orange.share();
   shares.blue = blue.share();
   shares.seam = seam.share();
+  shares.cut = static_cast<double>(cut) / edge;
   for (const auto& [colour, count] : counts) {
     shares.commonest = std::max(shares.commonest, static_cast<double>(count) / (width * height));
   }
@@ -86,5 +92,5 @@ double changed(const QImage& before, const QImage& after) {
 
 std::ostream& operator<<(std::ostream& out, const Shares& shares) {
   return out << "orange " << 100 * shares.orange << " %, blue " << 100 * shares.blue << " %, white where they meet "
-             << 100 * shares.seam << " %, commonest colour " << 100 * shares.commonest << " %";
+             << 100 * shares.seam << " %, commonest colour " << 100 * shares.commonest << " %, cut off by the edge " << 100 * shares.cut << " %";
 }
