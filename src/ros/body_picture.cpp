@@ -39,8 +39,7 @@ constexpr double kTrailLift = 1.020;
 constexpr double kTrailShare = 0.6;      // of the polhode: a trail that met itself would flicker
 constexpr double kTrailSpacing = 0.012;  // m
 
-// For a viewer at +x: to the right of an arrow, so that ω's name does not stand on L while the two are parallel.
-const Eigen::Vector3d kBesideArrow(0, 0.17, 0);
+constexpr double kBesideArrow = 0.17;                 // m
 const Eigen::Vector3d kBesideBead(0.25, 0.12, 0.14);  // before it, to its right and above
 
 // Ids within <body>/label.
@@ -48,6 +47,17 @@ enum LabelId { kBodyTitle, kSpaceTitle, kModelTitle, kMomentumSymbol, kOmegaPoin
 
 std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b, float t) {
   return palette::colour(a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b));
+}
+
+/**
+ * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on the right while the two are
+ * parallel. It passes from one side to the other without a jump.
+ */
+Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Vector3d& momentum_world) {
+  const Eigen::Vector3d l = momentum_world.normalized();
+  const double lean = omega_metres.y() - omega_metres.dot(l) * l.y();
+  const double side = std::clamp((lean + 0.06) / 0.05, -1.0, 1.0);
+  return {0, kBesideArrow * side, 0};
 }
 
 /** How many points of a trail cover its share of the polhode. */
@@ -201,8 +211,10 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
   pointer.scale = toVector3({kShaft, kHead, kHeadLength});
   pointer.color = palette::omega();
   out.markers.push_back(pointer);
-  Marker symbol = text(kOmegaSymbol, frames_.space, in_space + (kPointerLength + 0.1) * outwards + kBesideArrow, "\xCF\x89",
-                       kSymbolHeight);
+  Marker symbol =
+      text(kOmegaSymbol, frames_.space,
+           in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world), "\xCF\x89",
+           kSymbolHeight);
   symbol.color = palette::omega();
   out.markers.push_back(symbol);
 

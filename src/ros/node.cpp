@@ -74,11 +74,23 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     });
   }
 
+  if (cost() > kMostLoad) {
+    throw ParameterError("this scene costs " + shown(cost()) +
+                         " CPU s per simulated s here, which cannot be played in real time; at most " + shown(kMostLoad) +
+                         " can: take larger steps");
+  }
+
   services_ = {private_handle_.advertiseService(names::kPause, &Node::onPause, this),
                private_handle_.advertiseService(names::kStep, &Node::onStep, this),
                private_handle_.advertiseService(names::kReset, &Node::onReset, this)};
   subscribers_ = {private_handle_.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
                   private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
+}
+
+double Node::cost() const {
+  double sum = 0;
+  for (const auto& body : bodies_) sum += body->cost().cost();
+  return sum;
 }
 
 void Node::run() {
@@ -191,8 +203,7 @@ void Node::onSpeed(const std_msgs::Float64& message) {
     ROS_ERROR("speed %g refused: a finite number is allowed", message.data);
     return;
   }
-  double cost = 0;
-  for (const auto& body : bodies_) cost += body->cost().cost();
+  const double cost = this->cost();
   if (cost * std::abs(message.data) > kMostLoad) {
     ROS_ERROR("speed %g refused: this scene costs %g CPU s per simulated s; up to %.3g is allowed here", message.data,
               cost, kMostLoad / cost);

@@ -45,8 +45,9 @@ int main(int argc, char** argv) {
   if (!file.empty()) return check(file);
 
   ros::init(argc, argv, "poinsot");
+  // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.
+  ros::NodeHandle handle, private_handle("~");
   try {
-    ros::NodeHandle handle, private_handle("~");
     poinsot::node::Node(poinsot::node::readParameters(private_handle), handle, private_handle).run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

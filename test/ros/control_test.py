@@ -29,8 +29,9 @@ class ControlTest(unittest.TestCase):
     def setUp(self):
         self.control.speed(1.0)
         self.control.pause(False)
+        since = self.states.count()
         self.control.reset()
-        self.states.next_where(lambda s: s.time_rate == 1 and 0 <= s.time < 0.2)
+        self.states.next_where(lambda s: s.time_rate == 1 and 0 <= s.time < 0.2, since=since)
 
     def tearDown(self):
         messages = self.states.all()
@@ -38,16 +39,17 @@ class ControlTest(unittest.TestCase):
         segments = [m.segment for m in messages]
         self.assertEqual(segments, sorted(segments), "a segment came back")
 
-    def settled(self, seconds=0.3):
-        """Lets what was said take effect, then gives the states of that long."""
+    def settled(self, seconds=0.3, condition=lambda s: True):
+        """Lets what was said take effect, until a state meets the condition, then gives the states of that long."""
         time.sleep(0.15)
+        self.states.next_where(condition)
         self.states.clear()
         time.sleep(seconds)
         return self.states.all()
 
     def pause_and_settle(self):
         self.assertTrue(self.control.pause(True).success)
-        states = self.settled()
+        states = self.settled(condition=lambda s: s.time_rate == 0)
         self.assertGreater(len(states), 5, "a paused node goes on publishing while stamps run")
         return states
 
@@ -77,8 +79,8 @@ class ControlTest(unittest.TestCase):
             before = self.pause_and_settle()[-1]
             for _ in range(count):
                 self.assertTrue(self.control.step().success)
-            time.sleep(0.2 + count / RATE)
-            after = self.settled()
+            end = before.time + count / RATE - 1e-9
+            after = self.settled(condition=lambda s: s.time_rate == 0 and s.time > end)
             self.assertEqual({s.time_rate for s in after}, {0.0})
             self.assertAlmostEqual(after[-1].time - before.time, count / RATE, delta=1e-12)
             self.assertEqual(after[-1].segment, before.segment, "a step is no break in the motion")
@@ -93,6 +95,7 @@ class ControlTest(unittest.TestCase):
         time.sleep(0.4)
         self.control.speed(-3.0)
         self.control.pause(False)
+        self.states.next_where(lambda s: s.time_rate == -3)
         time.sleep(0.3)
         states = self.states.all()
         self.assertEqual({s.time_rate for s in states}, {0.0, 1.0, -3.0})
@@ -109,8 +112,9 @@ class ControlTest(unittest.TestCase):
     def test_reset(self):
         self.settled(0.5)
         segment = self.states.last().segment
+        since = self.states.count()
         self.assertTrue(self.control.reset().success)
-        state = self.states.next_where(lambda s: s.segment == segment + 1)
+        state = self.states.next_where(lambda s: s.segment == segment + 1, since=since)
         self.assertEqual(state.time, 0)
         self.assertEqual((state.attitude.w, state.attitude.x, state.attitude.y, state.attitude.z), (1, 0, 0, 0))
         self.assertAlmostEqual(state.omega_body.y, 1.0, delta=1e-15)
@@ -118,13 +122,14 @@ class ControlTest(unittest.TestCase):
     def test_reset_while_paused(self):
         self.pause_and_settle()
         self.control.reset()
-        states = self.settled()
+        states = self.settled(condition=lambda s: s.time == 0)
         self.assertEqual({(s.time, s.time_rate) for s in states}, {(0.0, 0.0)})
 
     def seek(self, target):
         segment = self.states.last().segment
+        since = self.states.count()
         self.control.seek(target)
-        return self.states.next_where(lambda s: s.segment == segment + 1, 30)
+        return self.states.next_where(lambda s: s.segment == segment + 1, 30, since)
 
     def test_seek_forwards_and_to_negative_times(self):
         for target in (12.5, 100.0, -7.25, 0.0):
@@ -150,8 +155,9 @@ class ControlTest(unittest.TestCase):
 
     def test_seek_too_far_is_refused_with_a_message(self):
         segment = self.states.last().segment
+        since = self.log.count()
         self.control.seek(1e10)
-        message = self.log.next_where(lambda m: "seek to 1e+10 s refused" in m.msg).msg
+        message = self.log.next_where(lambda m: "seek to 1e+10 s refused" in m.msg, since=since).msg
         for word in ("top", "buss2", "1e+14", "0.0001", "1e+09"):
             self.assertIn(word, message)
         self.assertEqual(self.settled()[-1].segment, segment, "a refused seek changes nothing")
@@ -159,15 +165,17 @@ class ControlTest(unittest.TestCase):
     def test_what_is_not_finite_is_refused_with_a_message(self):
         for name, say in (("seek", self.control.seek), ("speed", self.control.speed)):
             for value in (math.nan, math.inf, -math.inf):
+                since = self.log.count()
                 say(value)
-                self.log.next_where(lambda m: name in m.msg and "refused" in m.msg and "finite" in m.msg)
+                self.log.next_where(lambda m: name in m.msg and "refused" in m.msg and "finite" in m.msg, since=since)
         states = self.settled()
         self.assertEqual({s.time_rate for s in states}, {1.0})
         self.assertTrue(all(math.isfinite(s.time) for s in states))
 
     def test_a_speed_beyond_the_machine_is_refused_with_a_message(self):
+        since = self.log.count()
         self.control.speed(1e9)
-        self.log.next_where(lambda m: "speed 1e+09 refused" in m.msg)
+        self.log.next_where(lambda m: "speed 1e+09 refused" in m.msg, since=since)
         self.assertEqual({s.time_rate for s in self.settled()}, {1.0})
 
     def test_a_long_seek_does_not_hold_up_publishing(self):
@@ -183,7 +191,7 @@ class ControlTest(unittest.TestCase):
     def test_backward_play_and_speeds(self):
         for speed in (-2.0, 0.25, 5.0, 0.0, -1.0):
             self.control.speed(speed)
-            states = self.settled(0.5)
+            states = self.settled(0.5, lambda s: s.time_rate == speed)
             self.assertEqual({s.time_rate for s in states}, {speed})
             a, b = states[0], states[-1]
             stamps = (b.header.stamp - a.header.stamp).to_sec()

@@ -49,10 +49,16 @@ class Listener(object):
         """The next message to arrive."""
         return self.next_where(lambda message: True, seconds)
 
-    def next_where(self, condition, seconds=15.0):
-        """The first message from now on that meets the condition."""
+    def count(self):
         with self._lock:
-            seen = len(self._messages)
+            return len(self._messages)
+
+    def next_where(self, condition, seconds=15.0, since=None):
+        """
+        The first message that meets the condition, from now on or from an earlier count() on: an answer may be here
+        before one comes to wait for it.
+        """
+        seen = self.count() if since is None else since
 
         def found():
             return [m for m in self.all()[seen:] if condition(m)]

@@ -109,6 +109,7 @@ class LateSubscriberTest(unittest.TestCase):
             frame = {"shape": body, "space/angular_momentum": body + "_space"}.get(what)
             if what.rsplit("/", 1)[-1] in PICTURE_STATIC:
                 frame = body + ("_space_body" if what.startswith("space") else "_model")
+                self.assertTrue(m.frame_locked, m.ns)
             if frame:
                 self.assertEqual(m.header.frame_id, frame, m.ns)
             if m.header.frame_id in (body, body + "_space_body"):

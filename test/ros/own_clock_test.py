@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node as the owner of /clock, and how nodes end."""
+import math
 import os
 import sys
 import time
@@ -8,7 +9,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rospy  # noqa: E402
 import rostest  # noqa: E402
-from rosgraph_msgs.msg import Clock  # noqa: E402
+from rosgraph_msgs.msg import Clock, Log  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
@@ -115,6 +116,26 @@ class OwnClockTest(unittest.TestCase):
                                               "rate": 0.01, "publish_clock": True})
         try:
             graph.Control("/slow/poinsot")
+            self.assertEqual(node.interrupt(5), 0, node.console)
+        finally:
+            node.close()
+
+    def test_9_ends_in_the_middle_of_a_long_seek(self):
+        scene = processes.package_path("test", "ros", "scenes", "buss2.yaml")
+        node = processes.start_node("/seeking", {"scene_file": scene, "publish_clock": True})
+        log = graph.Listener("/rosout", Log)
+        states = graph.Listener("/seeking/top/state", BodyState)
+        try:
+            control = graph.Control("/seeking/poinsot")
+            # A refused seek that is heard of shows that the log is listened to.
+            def heard():
+                control.seek(math.nan)
+                time.sleep(0.1)
+                return any("seek to nan" in m.msg for m in log.all())
+            graph.wait_for(heard, 15, "the node's log")
+            control.seek(90000.0)
+            graph.wait_for(lambda: any("playing on meanwhile" in m.msg for m in log.all()), 15, "the seek to begin")
+            self.assertLess(states.next().time, 90000)
             self.assertEqual(node.interrupt(5), 0, node.console)
         finally:
             node.close()

@@ -105,14 +105,16 @@ def play_about():
     play(0.3)
     control.pause(False)
     play(1.5)
+    segment = states.last().segment
     control.seek(30.0)
-    states.next_where(lambda s: 30 <= s.time < 35)
+    states.next_where(lambda s: s.segment == segment + 1)
     play(2)
     control.speed(-2.0)
-    play(1.5)
+    states.next_where(lambda s: s.time_rate == -2)
+    play(1)
     control.speed(1.0)
     control.reset()
-    states.next_where(lambda s: 0 <= s.time < 5)
+    states.next_where(lambda s: s.segment == segment + 2)
     play(3)
     return [(s.segment, s.time_rate) for s in states.all()]
 

@@ -7,8 +7,8 @@
 
 namespace {
 
-// Hues of the two ellipsoids [degrees]. Light changes how bright a surface is, hardly its hue: 242, 158, 13 is at 38 and
-// 26, 107, 204 at 213. Nothing else in the pictures is near either and as saturated.
+// Hues of the two ellipsoids [degrees]. Light changes how bright a surface is, hardly its hue: 242, 158, 13 is at 38
+// and 26, 107, 204 at 213. Nothing else in the pictures is near either and as saturated.
 constexpr int kOrangeHue = 38;
 constexpr int kBlueHue = 213;
 constexpr int kHueTolerance = 9;
@@ -92,5 +92,6 @@ double changed(const QImage& before, const QImage& after) {
 
 std::ostream& operator<<(std::ostream& out, const Shares& shares) {
   return out << "orange " << 100 * shares.orange << " %, blue " << 100 * shares.blue << " %, white where they meet "
-             << 100 * shares.seam << " %, commonest colour " << 100 * shares.commonest << " %, cut off by the edge " << 100 * shares.cut << " %";
+             << 100 * shares.seam << " %, commonest colour " << 100 * shares.commonest << " %, cut off by the edge "
+             << 100 * shares.cut << " %";
 }

@@ -1,4 +1,4 @@
-// RViz itself, in this process, on whatever display there is: does it show what a file of rviz/ promises, without an error?
+// RViz itself, in this process, on whatever display there is: does it show what a file of rviz/ promises, and no error?
 // Usage: test_rviz VIEW.rviz SCENE.yaml --gtest_filter=WithNode.* or WithoutNode.*
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -18,7 +18,6 @@
 #include <QFileInfo>
 #include <QScreen>
 #include <QTemporaryDir>
-#include <QWindow>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -44,7 +43,7 @@ constexpr double kHeadStart = 3;  // s that the node has been running when RViz 
 constexpr double kPatience = 40;  // s, for a machine that is busy
 constexpr double kSettling = 3;   // s
 
-/** RViz's window, opened with a view as `rviz -d` does. One for the whole process: Ogre does not like to be started twice. */
+/** RViz's window, opened with a view as `rviz -d` does. One a process: Ogre does not like to be started twice. */
 class Rviz {
  public:
   explicit Rviz(const QString& view) {
@@ -100,7 +99,8 @@ class Rviz {
     QDir().mkpath(PICTURES);
     const QString file = QString(PICTURES) + "/rviz_" + name + ".png";
     EXPECT_TRUE(image.save(file)) << file.toStdString();
-    std::cout << file.toStdString() << " (" << image.width() << " x " << image.height() << "): " << sharesOf(image) << "\n";
+    std::cout << file.toStdString() << " (" << image.width() << " x " << image.height() << "): " << sharesOf(image)
+              << "\n";
     return image;
   }
 
@@ -111,8 +111,9 @@ class Rviz {
     if (status && !is_list && status->getLevel() != rviz::StatusProperty::Ok) {
       out.push_back(path + property->getNameStd() + ": " + property->getValue().toString().toStdString());
     }
-    // A status list's own name ends in its worst level; the display's name before it says enough.
-    const std::string below = is_list || path.empty() ? path + (path.empty() ? " " : "") : path + property->getNameStd() + " / ";
+    // Neither the root's name nor a status list's, which repeats the worst level, says anything.
+    const bool is_root = property->getParent() == nullptr;
+    const std::string below = is_root || is_list ? path : path + property->getNameStd() + " / ";
     for (int i = 0; i < property->numChildren(); ++i) collect(property->childAt(i), below, out);
   }
 
@@ -170,16 +171,26 @@ std::vector<std::string> missingNamespaces() {
   return out;
 }
 
-bool allThere() { return missingNamespaces().empty() && shown->complaints().empty(); }
+bool allThere() {
+  return missingNamespaces().empty() && shown->complaints().empty();
+}
 
-QString viewName() { return QFileInfo(view_file).completeBaseName(); }
+QString viewName() {
+  return QFileInfo(view_file).completeBaseName();
+}
 
 class WithNode : public testing::Test {
  protected:
+  // A failure in here would leave the tests out, in the results too: they tell it instead.
   static void SetUpTestSuite() {
-    ASSERT_TRUE(QFileInfo::exists(scene_file))
-        << view_file.toStdString() << " is tested with " << scene_file.toStdString() << ", which does not exist";
-    ASSERT_TRUE(ros::topic::waitForMessage<tf2_msgs::TFMessage>("/tf", ros::Duration(kPatience))) << "no node";
+    if (!QFileInfo::exists(scene_file)) {
+      trouble = view_file.toStdString() + " is tested with " + scene_file.toStdString() + ", which does not exist";
+      return;
+    }
+    if (!ros::topic::waitForMessage<tf2_msgs::TFMessage>("/tf", ros::Duration(kPatience))) {
+      trouble = "no node: nothing on /tf";
+      return;
+    }
     ros::WallDuration(kHeadStart).sleep();
     shown = std::make_unique<Rviz>(view_file);
     shown->spinUntil(allThere, kPatience);
@@ -187,8 +198,13 @@ class WithNode : public testing::Test {
   }
   static void TearDownTestSuite() { shown.reset(); }
 
-  void SetUp() override { ASSERT_TRUE(shown) << "RViz was not started"; }
+  void SetUp() override { ASSERT_TRUE(shown) << trouble; }
+
+ private:
+  static std::string trouble;
 };
+
+std::string WithNode::trouble;
 
 TEST_F(WithNode, noDisplayComplains) {
   EXPECT_GT(shown->displays(), 0);

@@ -54,12 +54,10 @@ check() {
   fi
 }
 # in_space SETUP COMMAND...: with that space sourced and no other. A sourced setup.bash takes the arguments that it sees
-# for its own: inside `enter` it sees none.
-in_space() {
-  local setup=$1
-  shift
-  bash -c 'setup=$0; enter() { source "$setup"; }; enter; "$@"' "$setup" "$@"
-}
+# for its own: inside the function it sees none.
+# shellcheck disable=SC2016
+enter='setup=$0; enter() { source "$setup"; }; enter; exec "$@"'
+in_space() { bash -c "$enter" "$@"; }
 make_workspace() { catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@"; }
 
 copy_package() {
@@ -128,7 +126,7 @@ check "rosrun poinsot check_bag --help" in_space "$install" rosrun poinsot check
 check "rosmsg show poinsot/BodyState" in_space "$install" rosmsg show poinsot/BodyState
 check "the messages are there for Python" in_space "$install" python3 -c 'from poinsot.msg import BodyDescription, BodyState'
 
-in_space "$install" roslaunch poinsot demo.launch rviz:=false > "$logs/demo.log" 2>&1 &
+bash -c "$enter" "$install" roslaunch poinsot demo.launch rviz:=false > "$logs/demo.log" 2>&1 &
 launch_pid=$!
 first_message() {
   for _ in $(seq 8); do

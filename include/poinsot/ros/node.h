@@ -30,6 +30,7 @@ namespace poinsot::node {
  */
 class Node {
  public:
+  /** Throws ParameterError for a scene that this machine cannot step in real time. */
   Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
 
   /** Ticks until ROS shuts down. */
@@ -37,6 +38,7 @@ class Node {
 
  private:
   void tick();
+  double cost() const;  ///< of all bodies together [CPU s per simulated s]
   void publishStatic();
   void publishMarkers(const Tick& tick);
   void takeFinishedSeek();
