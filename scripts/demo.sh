@@ -64,7 +64,9 @@ finish() {
   rm -f "$partial"
 }
 trap finish EXIT
-trap 'exit 130' INT TERM
+# Ctrl-C is how one ends a demo that was given no end.
+if [ -z "$duration$screenshot" ] && [ $headless = no ]; then trap 'exit 0' INT; else trap 'exit 130' INT; fi
+trap 'exit 143' TERM
 
 if [ $headless = yes ]; then
   say "no display: RViz draws on a virtual one"
@@ -84,24 +86,29 @@ died() { tail -n 20 "$log" >&2; launch_pid=; fail "demo.sh: the launch ended ear
 if [ -z "$duration" ] && [ -z "$screenshot" ]; then
   echo "close RViz or press Ctrl-C to end; the output of the nodes is in $log"
   wait "$launch_pid" || true
+  # roslaunch exits 0 whatever its nodes did.
+  if grep -aq 'poinsot-[0-9]*\] process has died' "$log"; then died; fi
   launch_pid=
   exit 0
 fi
 
 # RViz is up when it listens to what moves.
+up=no
 for _ in $(seq 120); do
   kill -0 "$launch_pid" 2> /dev/null || died
-  timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz && break
+  if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
   sleep 0.5
 done
+[ $up = yes ] || { tail -n 20 "$log" >&2; fail "demo.sh: RViz does not come up; the output of the launch is in $log"; }
+sleep 3  # until it has drawn what it was sent
 sleep "${duration:-5}"
 kill -0 "$launch_pid" 2> /dev/null || died
 
 if [ -n "$screenshot" ]; then
   partial=$(mktemp --suffix=.png)
   window=root
-  [ $headless = yes ] || window="$view.rviz - RViz"
-  import -window "$window" "$partial" || fail "demo.sh: no picture could be taken"
+  [ $headless = yes ] || window=$(xwininfo -root -tree | awk '/ - RViz"/ {print $1; exit}')
+  import -window "${window:-root}" "$partial" || fail "demo.sh: no picture could be taken"
   mv "$partial" "$screenshot"
   chmod 644 "$screenshot"
   echo "the picture is in $screenshot"

@@ -61,7 +61,12 @@ script() {
 
 say "gtest and rostest"
 # One at a time: rostests measure time.
-cmake --build "$build" --target run_tests > "$build/run_tests.log" 2>&1 || true
+# catkin's run_tests succeeds even when tests fail: if it does not, it broke off.
+if ! cmake --build "$build" --target run_tests > "$build/run_tests.log" 2>&1; then
+  tail -n 20 "$build/run_tests.log"
+  echo "FAIL  run_tests broke off; its output is in $build/run_tests.log"
+  failed=$((failed + 1))
+fi
 count_xml
 
 script mutations "$root/test/mutations/run.py" "$build/mutations"

@@ -6,9 +6,7 @@
 namespace poinsot::audit {
 namespace {
 
-// How much an order allows: measured, times three to five. Largest over 300 random bodies (moments up to 1:100, w·h
-// from 0.001 to 0.3, up to 2000 rad) of |ΔE/E| / ((wh)^p (1 + w|t|)): lie_euler 0.61, buss2 0.013, splitting2 0.027,
-// rk4 5e-5 (its L: 4e-4); of a step's attitude error / (wh)^(p+1): 0.19, 0.06, 0.08, 8e-4.
+// How much an order allows: several times what random bodies show, so that no working method fails.
 constexpr double kNotMeasured = 0.2, kLocal = 0.6;
 
 struct Row {
@@ -28,7 +26,7 @@ constexpr Row kMethods[] = {
     {"rkmk4", 4, true, false, kNotMeasured},
     {"cf4", 4, true, false, kNotMeasured},
     {"midpoint", 2, true, false, kNotMeasured},
-    {"splitting2", 2, true, false, 0.12},
+    {"splitting2", 2, true, false, kNotMeasured},
     {"splitting4", 4, true, false, kNotMeasured},
     {"splitting6", 6, true, false, kNotMeasured},
     {"dmv2", 2, true, true, 0},
@@ -54,7 +52,7 @@ MethodBounds::MethodBounds(const Description& description) : method_(description
 
 double MethodBounds::roundoff(double t) const {
   const double steps = exact_ || !(step_ > 0) ? 0 : std::abs(t) / step_;
-  // A random walk, and the part of a step's rounding that always points the same way (measured: 2e-18 to 8e-18).
+  // A random walk, and the part of a step's rounding that always points the same way.
   return 1e-15 * (20 + std::sqrt(steps)) + 5e-17 * steps;
 }
 

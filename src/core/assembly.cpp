@@ -14,9 +14,12 @@ constexpr double kThinnestSide = 0.02;  // of the longest, for a stand-in box
 /** Σ over the solid of (x/w)², divided by its mass, for the three axes. */
 Eigen::Vector3d secondMoments(SolidType type) {
   switch (type) {
-    case SolidType::box: return Eigen::Vector3d::Constant(1.0 / 12);
-    case SolidType::ellipsoid: return Eigen::Vector3d::Constant(1.0 / 20);
-    case SolidType::cylinder: return {1.0 / 16, 1.0 / 16, 1.0 / 12};
+    case SolidType::box:
+      return Eigen::Vector3d::Constant(1.0 / 12);
+    case SolidType::ellipsoid:
+      return Eigen::Vector3d::Constant(1.0 / 20);
+    case SolidType::cylinder:
+      return {1.0 / 16, 1.0 / 16, 1.0 / 12};
   }
   throw std::logic_error("unknown type of solid");
 }
@@ -50,9 +53,12 @@ Eigen::Quaterniond about(double angle, const Eigen::Vector3d& axis) {
 double Solid::volume() const {
   const double box = size.prod();
   switch (type) {
-    case SolidType::box: return box;
-    case SolidType::ellipsoid: return box * kPi / 6;
-    case SolidType::cylinder: return box * kPi / 4;
+    case SolidType::box:
+      return box;
+    case SolidType::ellipsoid:
+      return box * kPi / 6;
+    case SolidType::cylinder:
+      return box * kPi / 4;
   }
   throw std::logic_error("unknown type of solid");
 }
@@ -89,8 +95,7 @@ Eigen::Matrix3d Assembly::inertiaTensor() const {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Solid& part : parts_) {
     const Eigen::Vector3d& c = part.centre;
-    sum += part.inertiaTensor() +
-           part.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+    sum += part.inertiaTensor() + part.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
   }
   return sum;
 }
@@ -108,7 +113,9 @@ double Assembly::boundingRadius() const {
 
 namespace shapes {
 
-Assembly box(const Eigen::Vector3d& size, double mass) { return ofOneDensity({solid(SolidType::box, size)}, mass); }
+Assembly box(const Eigen::Vector3d& size, double mass) {
+  return ofOneDensity({solid(SolidType::box, size)}, mass);
+}
 
 Assembly ellipsoid(const Eigen::Vector3d& size, double mass) {
   return ofOneDensity({solid(SolidType::ellipsoid, size)}, mass);
@@ -134,8 +141,8 @@ Assembly wingnut(double hub_radius, double hub_height, const Eigen::Vector3d& wi
     // A right wing turned about y by −dihedral rises outwards; the left one is its mirror image.
     const Eigen::Quaterniond turn = about(-side * dihedral, Eigen::Vector3d::UnitY());
     const Eigen::Vector3d root(side * 0.8 * hub_radius, 0, 0);
-    parts.push_back(solid(SolidType::cylinder, disc,
-                          root + turn * Eigen::Vector3d(side * 0.5 * wing_size.x(), 0, 0), turn * upright));
+    parts.push_back(solid(SolidType::cylinder, disc, root + turn * Eigen::Vector3d(side * 0.5 * wing_size.x(), 0, 0),
+                          turn * upright));
   }
   return ofOneDensity(std::move(parts), mass);
 }

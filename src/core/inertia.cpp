@@ -12,7 +12,9 @@ namespace {
 constexpr double kSymmetryTolerance = 1e-9;
 constexpr double kSmallestMomentRatio = 1e-14;
 
-[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument(what);
+}
 
 std::string shown(double value) {
   std::ostringstream out;
@@ -52,8 +54,9 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric / largest);
   const Eigen::Vector3d ratios = solver.eigenvalues();
   if (!(ratios[0] > kSmallestMomentRatio * ratios[2])) {
-    refuse("the inertia tensor is not positive definite: its principal moments are " + shown(ratios[0] * largest) + ", " +
-           shown(ratios[1] * largest) + ", " + shown(ratios[2] * largest) + " kg·m²");
+    refuse(std::string("the inertia tensor is not positive definite") + (ratios[0] > 0 ? " beyond roundoff" : "") +
+           ": its principal moments are " + shown(ratios[0] * largest) + ", " + shown(ratios[1] * largest) + ", " +
+           shown(ratios[2] * largest) + " kg·m²");
   }
   Eigen::Matrix3d vectors = solver.eigenvectors();
   if (vectors.determinant() < 0) vectors.col(0) = -vectors.col(0);

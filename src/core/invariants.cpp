@@ -3,7 +3,9 @@
 namespace poinsot {
 namespace {
 
-double ratio(double difference, double reference) { return difference == 0 ? 0 : difference / reference; }
+double ratio(double difference, double reference) {
+  return difference == 0 ? 0 : difference / reference;
+}
 
 }  // namespace
 

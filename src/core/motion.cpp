@@ -79,8 +79,9 @@ MotionState Motion::describe(double t, const RotationState& principal) const {
     out.omega_body = setup_.inertia.axes() * omega;
   }
   out.omega_world = principal.attitude * omega;
-  out.momentum_world = principal.momentumWorld();
-  out.kinetic_energy = 0.5 * omega.dot(principal.momentum_body);
+  const Invariants invariants = invariantsOf(setup_.inertia.moments(), principal);
+  out.momentum_world = invariants.momentum_world;
+  out.kinetic_energy = invariants.kinetic_energy;
   if (setup_.translation) {
     out.position = setup_.translation->positionAt(t);
     out.velocity = setup_.translation->velocityAt(t);

@@ -12,7 +12,9 @@ Eigen::Vector3d logQuaternion(const Eigen::Quaterniond& q) {
   return (2.0 * std::atan2(n, w) / n) * v;
 }
 
-Eigen::Matrix3d expMatrix(const Eigen::Vector3d& theta) { return expQuaternion(theta).toRotationMatrix(); }
+Eigen::Matrix3d expMatrix(const Eigen::Vector3d& theta) {
+  return expQuaternion(theta).toRotationMatrix();
+}
 
 Eigen::Vector3d logMatrix(const Eigen::Matrix3d& rotation) {
   // Eigen's conversion starts from the largest of the four components (Shepperd), so nothing is lost near π.

@@ -14,7 +14,9 @@ constexpr std::size_t kMostCheckpoints = 16384;
 StepperTrajectory::StepperTrajectory(std::shared_ptr<const Stepper> stepper, const RotationState& start, double step)
     : stepper_(std::move(stepper)), step_(step), cursor_{0, start}, coarse_{{0, start}}, spacing_(kFirstSpacing) {}
 
-std::int64_t StepperTrajectory::fineSpacing() const { return spacing_ / kFinePerCoarse; }
+std::int64_t StepperTrajectory::fineSpacing() const {
+  return spacing_ / kFinePerCoarse;
+}
 
 const StepperTrajectory::Checkpoint& StepperTrajectory::nearestBefore(std::int64_t n) const {
   const auto last = [n](const std::vector<Checkpoint>& list) {
@@ -28,7 +30,9 @@ const StepperTrajectory::Checkpoint& StepperTrajectory::nearestBefore(std::int64
   return *best;
 }
 
-std::int64_t StepperTrajectory::stepsTo(std::int64_t n) const { return n - nearestBefore(n).n; }
+std::int64_t StepperTrajectory::stepsTo(std::int64_t n) const {
+  return n - nearestBefore(n).n;
+}
 
 const RotationState& StepperTrajectory::at(std::int64_t n) {
   static const std::atomic<bool> never{false};

@@ -16,10 +16,6 @@ namespace {
 
 constexpr int kQueue = 1000;  // a second's worth at 1 kHz
 
-Invariants invariantsOf(const MotionState& state) {
-  return {state.kinetic_energy, state.momentum_world.squaredNorm(), state.momentum_world};
-}
-
 geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::string& parent, const std::string& child,
                                           const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation) {
   geometry_msgs::TransformStamped out;
@@ -66,12 +62,12 @@ const MotionState& Body::move(const Tick& tick) {
     cost_.add(cpu, tick.time - before);
   } else {
     segment_ = tick.segment;
-    segment_start_ = state_;
+    segment_start_ = state_.invariants();
     picture_.clearTrail();
   }
-  const Invariants now = invariantsOf(state_), start = invariantsOf(segment_start_);
-  energy_drift_ = poinsot::energyDrift(now, start);
-  momentum_drift_ = poinsot::momentumDrift(now, start);
+  const Invariants now = state_.invariants();
+  energy_drift_ = poinsot::energyDrift(now, segment_start_);
+  momentum_drift_ = poinsot::momentumDrift(now, segment_start_);
   return state_;
 }
 
@@ -121,7 +117,9 @@ void Body::publish(const Tick& tick) {
   }
 }
 
-void Body::publishDescription() { description_publisher_.publish(description()); }
+void Body::publishDescription() {
+  description_publisher_.publish(description());
+}
 
 BodyDescription Body::description() const {
   const MotionSetup& setup = motion_.setup();

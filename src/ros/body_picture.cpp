@@ -1,13 +1,12 @@
 #include "poinsot/ros/body_picture.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "poinsot/core/stepper.h"
 #include "poinsot/ros/conversions.h"
-#include "poinsot/scene/motion_setup.h"
 #include "poinsot/ros/palette.h"
 #include "poinsot/ros/shape_markers.h"
+#include "poinsot/scene/motion_setup.h"
 #include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/separatrix.h"
@@ -28,7 +27,7 @@ constexpr double kHead = 0.115;
 constexpr double kHeadLength = 0.17;
 constexpr double kTitleHeight = 0.21;
 constexpr double kSymbolHeight = 0.23;
-constexpr double kTitleDepth = 1.3;   // of the titles below the centres, at least
+constexpr double kTitleDepth = 1.3;     // of the titles below the centres, at least
 constexpr double kPointerLength = 0.4;  // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
@@ -60,14 +59,14 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
   return {0, kBesideArrow * side, 0};
 }
 
-/** How many points of a trail cover its share of the polhode. */
-std::size_t trailPoints(const view::Polhode& polhode, double metres_per_radian_per_second) {
+view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second) {
   double length = 0;
   if (!polhode.branches.empty()) {
     const std::vector<Eigen::Vector3d>& points = polhode.branches.front().points;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   }
-  return 2 + static_cast<std::size_t>(kTrailShare * length * metres_per_radian_per_second / kTrailSpacing);
+  length *= kTrailShare * metres_per_radian_per_second;
+  return {2 + static_cast<std::size_t>(length / kTrailSpacing), length, kTrailSpacing};
 }
 
 }  // namespace
@@ -79,12 +78,12 @@ BodyPicture::BodyPicture(const scene::Body& body, const names::Frames& frames)
       inertia_(body.inertia),
       shape_(body.shape ? *body.shape : shapes::equivalentBox(body.inertia.moments(), body.inertia.axes())),
       momentum_is_constant_(findMethod(body.method)->conserves_momentum),
-      layout_(view::layoutOf(start_.position, shape_.boundingRadius(), inertia_.moments(), inertia_.axes(),
-                             inertia_.axes().conjugate() * start_.omega_body)),
-      scale_(view::pictureScale(inertia_.moments(), inertia_.axes().conjugate() * start_.omega_body)),
-      polhode_(view::polhode(inertia_.moments(), inertia_.axes().conjugate() * start_.omega_body)),
-      trail_(trailPoints(polhode_, scale_.metres_per_radian_per_second), std::numeric_limits<double>::infinity(),
-             kTrailSpacing) {}
+      omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
+      polhode_(view::polhode(inertia_.moments(), omega_principal_)),
+      layout_(view::layoutOf(start_.position, shape_.boundingRadius(), inertia_.moments(), inertia_.axes(), polhode_,
+                             omega_principal_)),
+      scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
+      trail_(trailOf(polhode_, scale_.metres_per_radian_per_second)) {}
 
 Marker BodyPicture::marker(const std::string& ns, int id, int type, const std::string& frame) const {
   Marker out;
@@ -125,7 +124,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
     out.markers.push_back(part);
   }
   appendTitles(out);
-  if (start_.omega_body.isZero(0)) return;  // at rest: no ellipsoids, no curves, no arrows
+  if (atRest()) return;  // no ellipsoids, no curves, no arrows
   for (const Picture& picture : {Picture{names::kSpace, frames_.space_body}, Picture{names::kModel, frames_.model}}) {
     appendEllipsoids(picture, out);
     appendCurves(picture, out);
@@ -153,8 +152,8 @@ void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
   const auto add = [&](const char* what, int id, const view::Curve& curve, double lift, double width,
                        const std_msgs::ColorRGBA& colour) {
     const bool is_point = curve.points.size() == 1;  // RViz draws no line through a single point
-    Marker m = marker(names::markers(name_, picture.name, what), id, is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP,
-                      picture.body_frame);
+    Marker m = marker(names::markers(name_, picture.name, what), id,
+                      is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP, picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
     for (const Eigen::Vector3d& p : curve.points) m.points.push_back(toPoint(lift * metres * p));
     if (curve.closed && !is_point) m.points.push_back(m.points.front());
@@ -177,12 +176,13 @@ void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
 void BodyPicture::appendTitles(MarkerArray& out) const {
   const Eigen::Vector3d down(0, 0, -std::max(kTitleDepth, shape_.boundingRadius() + 0.3));
   out.markers.push_back(text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
+  if (atRest()) return;
   out.markers.push_back(text(kSpaceTitle, frames_.space, down, "in world axes", kTitleHeight));
-  out.markers.push_back(
-      text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
+  out.markers.push_back(text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
 }
 
-void BodyPicture::appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& momentum_world, MarkerArray& out) const {
+void BodyPicture::appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& momentum_world,
+                                 MarkerArray& out) const {
   const Eigen::Vector3d tip = scale_.metres_per_angular_momentum * momentum_world;
   Marker l = arrow(names::markers(name_, names::kSpace, names::kAngularMomentum), frames_.space, tip);
   l.color = palette::angularMomentum();
@@ -194,7 +194,7 @@ void BodyPicture::appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& 
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, MarkerArray& out) {
-  if (start_.omega_body.isZero(0)) return;
+  if (atRest()) return;
   const std::size_t first = out.markers.size();
   const double metres = scale_.metres_per_radian_per_second;
   const Eigen::Vector3d in_space = metres * state.omega_world;
@@ -211,10 +211,9 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
   pointer.scale = toVector3({kShaft, kHead, kHeadLength});
   pointer.color = palette::omega();
   out.markers.push_back(pointer);
-  Marker symbol =
-      text(kOmegaSymbol, frames_.space,
-           in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world), "\xCF\x89",
-           kSymbolHeight);
+  Marker symbol = text(kOmegaSymbol, frames_.space,
+                       in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world),
+                       "\xCF\x89", kSymbolHeight);
   symbol.color = palette::omega();
   out.markers.push_back(symbol);
 
@@ -223,13 +222,12 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
   bead.scale = toVector3(Eigen::Vector3d::Constant(kBeadDiameter));
   bead.color = palette::omega();
   out.markers.push_back(bead);
-  Marker bead_symbol =
-      text(kModelOmegaSymbol, frames_.model, in_model + layout_.model_orientation.conjugate() * kBesideBead, "\xCE\xA9",
-           kSymbolHeight);
+  Marker bead_symbol = text(kModelOmegaSymbol, frames_.model,
+                            in_model + layout_.model_orientation.conjugate() * kBesideBead, "\xCE\xA9", kSymbolHeight);
   bead_symbol.color = palette::omega();
   out.markers.push_back(bead_symbol);
 
-  trail_.add(state.time, kTrailLift * in_model);
+  trail_.add(kTrailLift * in_model);
   if (trail_.size() >= 2) {
     Marker trail = marker(names::markers(name_, names::kTrail), 0, Marker::LINE_STRIP, frames_.model);
     for (std::size_t i = 0; i < trail_.size(); ++i) {
@@ -240,6 +238,11 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
     trail.scale.x = kTrailWidth;
     trail.color = palette::omega();
     out.markers.push_back(trail);
+  } else {
+    // After a jump the old trail would stay where it was.
+    Marker none = marker(names::markers(name_, names::kTrail), 0, Marker::LINE_STRIP, frames_.model);
+    none.action = Marker::DELETE;
+    out.markers.push_back(none);
   }
   if (!momentum_is_constant_) appendMomentum(tick.stamp, state.momentum_world, out);
   for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = tick.stamp;

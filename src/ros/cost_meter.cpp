@@ -2,13 +2,15 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace poinsot::node {
 namespace {
 
 constexpr int kTrialSteps = 2000;
-constexpr double kRenewAfter = 1.0;  // simulated seconds
+constexpr double kLongestTrial = 1e9;  // s
+constexpr double kRenewAfter = 1.0;    // simulated seconds
 
 }  // namespace
 
@@ -19,13 +21,14 @@ double threadCpuTime() {
 }
 
 CostMeter::CostMeter(Motion motion) {
-  const double simulated = kTrialSteps * motion.setup().step;
+  const double simulated = std::min(kTrialSteps * motion.setup().step, kLongestTrial);
   const double begin = threadCpuTime();
   motion.at(simulated);
-  cost_ = (threadCpuTime() - begin) / simulated;
+  cost_ = trial_cost_ = (threadCpuTime() - begin) / simulated;
 }
 
 void CostMeter::add(double cpu, double simulated) {
+  if (simulated == 0) return;  // paused: nothing was moved
   cpu_ += cpu;
   simulated_ += std::abs(simulated);
   if (simulated_ < kRenewAfter) return;

@@ -17,8 +17,11 @@ using visualization_msgs::MarkerArray;
 
 constexpr int kMarkerQueue = 100;
 constexpr int kControlQueue = 100;
+const ros::WallDuration kResendAfter(2);
+const ros::WallDuration kPatienceForClock(3);
 constexpr double kMostSeekSteps = 1e9;
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
+constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
 constexpr double kMostLoad = 0.8;             // of one core, for what a speed may ask of the steppers
 
 Pacer::Mode pacing(bool publish_clock) {
@@ -57,7 +60,13 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     clock_publisher_ = handle_.advertise<rosgraph_msgs::Clock>(names::kClock, 10);
   }
   markers_publisher_ = handle_.advertise<MarkerArray>(names::kMarkers, kMarkerQueue);
-  markers_static_publisher_ = handle_.advertise<MarkerArray>(names::kMarkersStatic, 1, true);
+  markers_static_publisher_ = handle_.advertise<MarkerArray>(
+      names::kMarkersStatic, 1,
+      [this](const ros::SingleSubscriberPublisher&) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        resend_static_at_ = ros::SteadyTime::now() + kResendAfter;
+      },
+      ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 
   diagnostics_.setHardwareID("none");
   diagnostics_.add("ticks", this, &Node::diagnoseTicks);
@@ -76,8 +85,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
 
   if (cost() > kMostLoad) {
     throw ParameterError("this scene costs " + shown(cost()) +
-                         " CPU s per simulated s here, which cannot be played in real time; at most " + shown(kMostLoad) +
-                         " can: take larger steps");
+                         " CPU s per simulated s here, which cannot be played in real time; at most " +
+                         shown(kMostLoad) + " can: take larger steps");
   }
 
   services_ = {private_handle_.advertiseService(names::kPause, &Node::onPause, this),
@@ -89,7 +98,7 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
 
 double Node::cost() const {
   double sum = 0;
-  for (const auto& body : bodies_) sum += body->cost().cost();
+  for (const auto& body : bodies_) sum += body->cost().trialCost();
   return sum;
 }
 
@@ -99,6 +108,9 @@ void Node::run() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     publishStatic();
+  }
+  if (pacer_.mode() == Pacer::Mode::foreign_clock && !ros::Time::waitForValid(kPatienceForClock)) {
+    ROS_WARN("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
   }
   while (pacer_.wait()) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -120,7 +132,16 @@ void Node::tick() {
     ROS_WARN("ROS time jumped back: what is static is sent again, and a new segment begins");
     clock_.restartStamps();
     publishStatic();
+    diagnostics_.force_update();  // which would else wait for the old time to come again
+  } else if (stepsTo(clock_.timeAt(now)) > kMostTickSteps) {
+    ROS_WARN_THROTTLE(
+        1,
+        "ROS time is %g s further than at the last tick, too far to step at once: t goes on from where it "
+        "was, in a new segment",
+        (now - clock_.stamp()).toSec());
+    clock_.restartStamps();
   }
+  resendStaticMarkers();
   takeFinishedSeek();
   const std::optional<Tick> tick = clock_.tick(now);
   if (!tick) return;
@@ -135,18 +156,36 @@ void Node::tick() {
   publishMarkers(*tick);
 }
 
+double Node::stepsTo(double time) const {
+  double sum = 0;
+  for (const auto& body : bodies_) sum += body->motion().stepsTo(time);
+  return sum;
+}
+
 void Node::publishStatic() {
   const ros::Time stamp = pacer_.stamp();
   std::vector<geometry_msgs::TransformStamped> transforms;
-  MarkerArray markers = cleared();
   for (const auto& body : bodies_) {
     body->appendStaticTransforms(stamp, transforms);
-    body->picture().appendStatic(markers);
     body->publishDescription();
   }
   // One message for all: whoever replays a bag gets the last one of a latched topic only.
   static_broadcaster_.sendTransform(transforms);
-  markers_static_publisher_.publish(markers);
+  markers_static_publisher_.publish(staticMarkers());
+}
+
+MarkerArray Node::staticMarkers() const {
+  MarkerArray markers = cleared();
+  for (const auto& body : bodies_) body->picture().appendStatic(markers);
+  return markers;
+}
+
+// RViz loses a latched marker that reaches it before the frames do: as soon as they come, tf2 holds the marker's stamp
+// 0 to be older than all it knows. A second copy finds them there.
+void Node::resendStaticMarkers() {
+  if (!resend_static_at_ || ros::SteadyTime::now() < *resend_static_at_) return;
+  resend_static_at_.reset();
+  markers_static_publisher_.publish(staticMarkers());
 }
 
 void Node::publishMarkers(const Tick& tick) {
@@ -162,9 +201,9 @@ void Node::publishMarkers(const Tick& tick) {
 }
 
 void Node::takeFinishedSeek() {
-  const std::optional<Seeker::Result> result = seeker_.poll();
+  std::optional<Seeker::Result> result = seeker_.poll();
   if (!result) return;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(result->motions[i]);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(result->motions[i]));
   clock_.jumpTo(result->time);
 }
 
@@ -221,11 +260,12 @@ void Node::onSeek(const std_msgs::Float64& message) {
   }
   double total = 0;
   for (const auto& body : bodies_) {
+    const MotionSetup& setup = body->motion().setup();
     const double steps = body->motion().stepsTo(time);
     if (steps > kMostSeekSteps) {
       ROS_ERROR("seek to %g s refused: body %s under %s would take %.3g steps of %g s; at most %g are allowed", time,
-                body->name().c_str(), body->motion().setup().method.c_str(), std::abs(time) / body->motion().setup().step,
-                body->motion().setup().step, kMostSeekSteps);
+                body->name().c_str(), setup.method.c_str(), std::isfinite(steps) ? steps : std::abs(time) / setup.step,
+                setup.step, kMostSeekSteps);
       return;
     }
     total += steps;

@@ -16,7 +16,11 @@ const ros::Time kOwnClockStart(1, 0);                    // not zero, which ROS 
 }  // namespace
 
 Pacer::Pacer(Mode mode, double rate)
-    : mode_(mode), period_(1.0 / rate), ros_rate_(ros::Duration(1.0 / rate)), origin_(Steady::now()), counted_since_(origin_) {}
+    : mode_(mode),
+      period_(1.0 / rate),
+      ros_rate_(ros::Duration(1.0 / rate)),
+      origin_(Steady::now()),
+      counted_since_(origin_) {}
 
 bool Pacer::wait() {
   if (mode_ == Mode::foreign_clock) {
@@ -56,7 +60,8 @@ Punctuality Pacer::takePunctuality() {
   Punctuality out;
   out.ticks = counted_;
   const double n = static_cast<double>(std::max<std::int64_t>(1, counted_));
-  out.rate = static_cast<double>(counted_) / std::max(1e-9, std::chrono::duration<double>(now - counted_since_).count());
+  out.rate =
+      static_cast<double>(counted_) / std::max(1e-9, std::chrono::duration<double>(now - counted_since_).count());
   out.mean_lateness = sum_ / n;
   out.jitter = std::sqrt(std::max(0.0, sum_of_squares_ / n - out.mean_lateness * out.mean_lateness));
   out.worst = worst_;

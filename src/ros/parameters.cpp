@@ -12,6 +12,10 @@
 namespace poinsot::node {
 namespace {
 
+// What ROS's clocks and durations can pace.
+constexpr double kSlowestRate = 1e-3;  // Hz
+constexpr double kFastestRate = 1e4;   // Hz
+
 std::string shown(const XmlRpc::XmlRpcValue& value) {
   std::ostringstream out;
   value.write(out);
@@ -45,9 +49,8 @@ std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::st
 std::string readPrefix(XmlRpc::XmlRpcValue& value) {
   const std::string allowed = "a text of letters, digits, _ and /, that begins with a letter";
   const std::string prefix = readText(names::kFramePrefix, value, allowed);
-  const bool good = std::all_of(prefix.begin(), prefix.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '/';
-  });
+  const bool good = std::all_of(prefix.begin(), prefix.end(),
+                                [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '/'; });
   if (!good || (!prefix.empty() && !std::isalpha(static_cast<unsigned char>(prefix[0])))) {
     refuse(names::kFramePrefix, value, allowed);
   }
@@ -79,11 +82,23 @@ Parameters readParameters(const ros::NodeHandle& handle) {
 
   if (out.scene.rate) out.rate = *out.scene.rate;
   ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
+  if (out.rate < kSlowestRate || out.rate > kFastestRate) {
+    std::ostringstream message;
+    message << here << ": a rate of " << out.rate << " Hz is not allowed; " << kSlowestRate << " to " << kFastestRate
+            << " Hz is";
+    throw ParameterError(message.str());
+  }
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
     out.publish_clock = static_cast<bool>(value);
   });
-  ifSet(handle, names::kFramePrefix, [&](XmlRpc::XmlRpcValue& value) { out.frame_prefix = readPrefix(value); });
+  ifSet(handle, names::kFramePrefix, [&](XmlRpc::XmlRpcValue& value) {
+    out.frame_prefix = readPrefix(value);
+    for (const scene::Body& body : out.scene.bodies) {
+      if (out.frame_prefix + body.name == names::kWorld)
+        refuse(names::kFramePrefix, value, "one that makes no body's frame \"world\"");
+    }
+  });
   return out;
 }
 

@@ -8,9 +8,12 @@ namespace {
 
 int markerType(SolidType type) {
   switch (type) {
-    case SolidType::box: return visualization_msgs::Marker::CUBE;
-    case SolidType::ellipsoid: return visualization_msgs::Marker::SPHERE;
-    case SolidType::cylinder: return visualization_msgs::Marker::CYLINDER;
+    case SolidType::box:
+      return visualization_msgs::Marker::CUBE;
+    case SolidType::ellipsoid:
+      return visualization_msgs::Marker::SPHERE;
+    case SolidType::cylinder:
+      return visualization_msgs::Marker::CYLINDER;
   }
   return visualization_msgs::Marker::CUBE;
 }

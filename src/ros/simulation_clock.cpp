@@ -13,11 +13,19 @@ void SimulationClock::step() {
   if (paused_) ++steps_left_;
 }
 
-void SimulationClock::setSpeed(double speed) { speed_ = speed; }
+void SimulationClock::setSpeed(double speed) {
+  speed_ = speed;
+}
 
 void SimulationClock::jumpTo(double t) {
   jump_ = t;
   steps_left_ = 0;
+}
+
+double SimulationClock::timeAt(const ros::Time& now) const {
+  if (!started_ || now <= stamp_) return time_;
+  if (step_end_ && *step_end_ <= now) return anchor_time_ + step_length_;
+  return anchor_time_ + rate_ * (now - anchor_stamp_).toSec();
 }
 
 void SimulationClock::restartStamps() {
@@ -39,8 +47,8 @@ std::optional<Tick> SimulationClock::tick(const ros::Time& now) {
   } else {
     if (now <= stamp_) return std::nullopt;
     const bool step_done = step_end_ && *step_end_ <= now;
+    time_ = timeAt(now);
     stamp_ = step_done ? *step_end_ : now;
-    time_ = step_done ? anchor_time_ + step_length_ : anchor_time_ + rate_ * (stamp_ - anchor_stamp_).toSec();
     if (step_done) {
       step_end_.reset();
       if (steps_left_ > 0) --steps_left_;

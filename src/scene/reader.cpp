@@ -36,6 +36,24 @@ class Frames {
   std::map<std::string, std::string> owners_ = {{kWorldFrame, ""}};  // frame → body
 };
 
+/** Not wrong, but seldom meant: they are drawn into each other. */
+void warnOfBodiesInOnePlace(const Place& bodies, Scene& scene) {
+  const auto placeOf = [](const Body& body) {
+    return body.translation ? body.translation->position : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  };
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (placeOf(scene.bodies[i]) != placeOf(scene.bodies[j])) continue;
+      scene.warnings.push_back(
+          bodies.item(i)
+              .called(scene.bodies[i].name)
+              .message("starts where " + scene.bodies[j].name +
+                       " does and is drawn into it; an effect of type translation with a position sets them apart"));
+      break;
+    }
+  }
+}
+
 Scene readScene(const Place& top) {
   const Fields fields(top, "a map with the keys rate, bodies");
   fields.allowOnly({"rate", "bodies"});
@@ -54,6 +72,7 @@ Scene readScene(const Place& top) {
     const std::string& name = scene.bodies.back().name;
     frames.claim(name, place.called(name).under(YAML::Node("name"), place.node()["name"]));
   }
+  warnOfBodiesInOnePlace(bodies, scene);
   return scene;
 }
 

@@ -32,9 +32,10 @@ int main(int argc, char** argv) {
   ros::removeROSArgs(argc, argv, words);
   std::vector<std::string> arguments(words.rbegin(), words.rend() - 1);  // CLI11 takes them back to front
 
-  CLI::App app("Moves the rigid bodies of a scene and publishes their motion. Parameters: ~scene or ~scene_file, ~rate, "
-               "~publish_clock, ~frame_prefix.",
-               "poinsot_node");
+  CLI::App app(
+      "Moves the rigid bodies of a scene and publishes their motion. Parameters: ~scene or ~scene_file, ~rate, "
+      "~publish_clock, ~frame_prefix.",
+      "poinsot_node");
   std::string file;
   app.add_option("--check", file, "only read and validate this scene file: exit 0 when it is good, 2 when not");
   try {
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUse;
   }
-  if (!file.empty()) return check(file);
+  if (app.count("--check") > 0) return check(file);
 
   ros::init(argc, argv, "poinsot");
   // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.

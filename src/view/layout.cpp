@@ -12,17 +12,12 @@ constexpr double kTip = 0.25;          // rad, of the intermediate axis towards 
 constexpr double kTurn = 0.6;          // rad, of the axis that the polhode goes round, away from the viewer
 
 /** Principal axes → world. */
-Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime, const Eigen::Vector3d& omega) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return moments[a] < moments[b]; });
   const int small = order[0], middle = order[1], large = order[2];
-  const Eigen::Vector3d i = moments / moments[large];
-  const Eigen::Vector3d m = i.cwiseProduct(omega / std::max(omega.cwiseAbs().maxCoeff(), 1e-300));
-  // (F − 2E I₂) up to a positive factor: not negative where the polhode goes round the axis of largest moment.
-  const bool about_large = m[large] * m[large] * (i[large] - i[middle]) * i[small] >=
-                           m[small] * m[small] * (i[middle] - i[small]) * i[large];
-  const int front = about_large ? large : small;
-  const int side = about_large ? small : large;
+  const int front = regime == Regime::about_smallest ? small : large;
+  const int side = small + large - front;
   Eigen::Matrix3d r = Eigen::Matrix3d::Zero();
   r(0, front) = omega[front] < 0 ? -1 : 1;
   r(2, middle) = 1;
@@ -35,10 +30,10 @@ Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, const Eigen::
 }  // namespace
 
 Layout layoutOf(const Eigen::Vector3d& position, double body_radius, const Eigen::Vector3d& moments,
-                const Eigen::Quaterniond& axes, const Eigen::Vector3d& omega_body) {
+                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal) {
   const double first = body_radius + kGap + 0.5 * kPictureWidth;
   return {position + Eigen::Vector3d(0, first, 0), position + Eigen::Vector3d(0, first + kPictureWidth, 0),
-          (facingTheViewer(moments, omega_body) * axes.conjugate()).normalized()};
+          (facingTheViewer(moments, polhode.regime, omega_principal) * axes.conjugate()).normalized()};
 }
 
 }  // namespace poinsot::view

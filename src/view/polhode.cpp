@@ -135,14 +135,14 @@ Polhode scaledPolhode(const SortedAxes& axes, const Eigen::Vector3d& omega, int 
 
 }  // namespace
 
-Polhode polhode(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body, int points_per_branch) {
-  const double largest = omega_body.cwiseAbs().maxCoeff();
+Polhode polhode(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal, int points_per_branch) {
+  const double largest = omega_principal.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return {};
   const int exponent = std::ilogb(largest);
   const auto scaled = [](const Eigen::Vector3d& v, int e) {
     return Eigen::Vector3d(std::ldexp(v[0], e), std::ldexp(v[1], e), std::ldexp(v[2], e));
   };
-  Polhode out = scaledPolhode(SortedAxes(moments), scaled(omega_body, -exponent), points_per_branch);
+  Polhode out = scaledPolhode(SortedAxes(moments), scaled(omega_principal, -exponent), points_per_branch);
   for (Curve& branch : out.branches) {
     for (Eigen::Vector3d& p : branch.points) p = scaled(p, exponent);
   }

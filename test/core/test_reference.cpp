@@ -135,13 +135,11 @@ TEST(Reference, steppersShowTheirOrder) {
       }
     }
   }
-  std::printf("%d rows x 3 methods: %d show the ratio, %d have no error above 1e-11, %zu out of reach\n",
-              rows, shown, small, out_of_reach.size());
+  std::printf("%d rows x 3 methods: %d show the ratio, %d have no error above 1e-11, %zu out of reach\n", rows, shown,
+              small, out_of_reach.size());
   EXPECT_EQ(rows, 46);
   EXPECT_EQ(shown, 122);
   EXPECT_EQ(small, 12);
-  // Near the separatrix roundoff grows by 1e4 and more: from the first step on rk4 is where the fair tolerance for
-  // exact methods is, which is above 1e-11.
   // P019 (38 turns near the separatrix): lie_euler changes E so much that its error is of the order of a turn up to 3e8
   // steps; the ratio is still 3.4 at 1.6e9. P068 (4285 turns): the drift of E acts on the phase like t²; lie_euler
   // would need some 1e14 steps; buss2 shows 3.4 and 3.5 from 1.7e8 steps on; rk4 goes down by 2⁵, that drift's order

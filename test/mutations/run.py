@@ -17,8 +17,8 @@ ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 
 # name, file, what stands there (once), what is put there, what the audit must say
 MUTATIONS = [
-    ("energy without its half", "src/core/motion.cpp",
-     "out.kinetic_energy = 0.5 * omega.dot(", "out.kinetic_energy = omega.dot(",
+    ("energy without its half", "src/core/invariants.cpp",
+     "return {0.5 * state.momentum_body.dot(", "return {state.momentum_body.dot(",
      r"kinetic_energy is 2\.?0* times"),
     ("momentum ellipsoid with semi-axes sqrt(F/mu)", "src/view/ellipsoids.cpp",
      "std::sqrt(momentum_squared) * moments.cwiseInverse()", "(momentum_squared * moments.cwiseInverse()).cwiseSqrt()",

@@ -11,7 +11,9 @@ using poinsot::node::Tick;
 
 constexpr double kStep = 1.0 / 60;
 
-ros::Time at(double seconds) { return ros::Time(1000 + seconds); }
+ros::Time at(double seconds) {
+  return ros::Time(1000 + seconds);
+}
 
 TEST(SimulationClock, RunsWithTheStamps) {
   SimulationClock clock(kStep);

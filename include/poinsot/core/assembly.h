@@ -13,11 +13,11 @@ struct Solid {
   SolidType type = SolidType::box;
   /** Full extents along its own axes [m]; a cylinder's axis is z. Positive and finite. */
   Eigen::Vector3d size = Eigen::Vector3d::Ones();
-  double mass = 1;  ///< [kg], positive and finite
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();                   ///< [m]
+  double mass = 1;                                                  ///< [kg], positive and finite
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();                 ///< [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< own axes → assembly axes, unit
 
-  double volume() const;                   ///< [m³]
+  double volume() const;                  ///< [m³]
   Eigen::Matrix3d inertiaTensor() const;  ///< about its own centre, in assembly axes [kg·m²]
 };
 
@@ -28,9 +28,9 @@ class Assembly {
   explicit Assembly(std::vector<Solid> parts);
 
   const std::vector<Solid>& parts() const { return parts_; }
-  double mass() const;                     ///< [kg]
+  double mass() const;                    ///< [kg]
   Eigen::Matrix3d inertiaTensor() const;  ///< about the centre of mass, by the parallel-axis theorem [kg·m²]
-  double boundingRadius() const;           ///< of a sphere about the centre of mass that holds all parts' boxes [m]
+  double boundingRadius() const;          ///< of a sphere about the centre of mass that holds all parts' boxes [m]
 
  private:
   std::vector<Solid> parts_;
@@ -46,9 +46,9 @@ Assembly cylinder(double radius, double height, double mass);
 /** A cylinder along y (the bar) with another, the stem, standing on its middle along z. */
 Assembly tHandle(double bar_radius, double bar_length, double stem_radius, double stem_length, double mass);
 /**
- * A hub (cylinder along z) with two wings in the xz plane that rise outwards by `dihedral` [rad]: flat elliptic discs of
- * extents `wing_size`, thin along y, rooted at 0.8 of the hub's radius. The hub's axis is the intermediate one for usual
- * proportions, so that a spinning wingnut flips.
+ * A hub (cylinder along z) with two wings in the xz plane that rise outwards by `dihedral` [rad]: flat elliptic discs
+ * of extents `wing_size`, thin along y, rooted at 0.8 of the hub's radius. The hub's axis is the intermediate one for
+ * usual proportions, so that a spinning wingnut flips.
  */
 Assembly wingnut(double hub_radius, double hub_height, const Eigen::Vector3d& wing_size, double dihedral, double mass);
 /** Two bars of square section `thickness`, one along x, one along z, that share a corner. */

@@ -7,27 +7,30 @@
 
 #include "poinsot/core/effects/translation.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/invariants.h"
 #include "poinsot/core/stepper_trajectory.h"
 
 namespace poinsot {
 
 /** A body's motion at one time, in the body axes in which its inertia was given (not the principal axes). */
 struct MotionState {
-  double time = 0;                                                  ///< [s]
+  double time = 0;                                               ///< [s]
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< R: body → world, unit
-  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();             ///< Ω [rad/s]
-  Eigen::Vector3d omega_world = Eigen::Vector3d::Zero();            ///< ω = RΩ [rad/s]
-  Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();         ///< L [kg·m²/s]
-  double kinetic_energy = 0;                                        ///< E = ½ΩᵀMΩ [J]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< [m], world axes
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< [m/s], world axes
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< Ω [rad/s]
+  Eigen::Vector3d omega_world = Eigen::Vector3d::Zero();         ///< ω = RΩ [rad/s]
+  Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();      ///< L [kg·m²/s]
+  double kinetic_energy = 0;                                     ///< E = ½ΩᵀMΩ [J]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            ///< [m], world axes
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();            ///< [m/s], world axes
+
+  Invariants invariants() const { return {kinetic_energy, momentum_world.squaredNorm(), momentum_world}; }
 };
 
 /** What a motion is made of. */
 struct MotionSetup {
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world; normalised on use
-  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();             ///< at t = 0 [rad/s], body axes
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = "buss2";
   double step = 1e-4;                      ///< [s]
   std::optional<Translation> translation;  ///< not computed where absent

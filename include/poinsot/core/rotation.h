@@ -24,10 +24,11 @@ inline Eigen::Quaterniond expQuaternion(const Eigen::Vector3d& theta) {
   double c, s;                                   // cos x and (sin x)/x, x = |θ|/2
   if (x2 < 0.0625) {
     // First terms left out: x¹⁴/14! and x¹⁴/15!, below 5e-20.
-    c = 1 + x2 * (-1.0 / 2 + x2 * (1.0 / 24 + x2 * (-1.0 / 720 + x2 * (1.0 / 40320 +
-                                  x2 * (-1.0 / 3628800 + x2 * (1.0 / 479001600))))));
-    s = 1 + x2 * (-1.0 / 6 + x2 * (1.0 / 120 + x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 +
-                                  x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800))))));
+    c = 1 + x2 * (-1.0 / 2 + x2 * (1.0 / 24 + x2 * (-1.0 / 720 + x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 +
+                                                                                           x2 * (1.0 / 479001600))))));
+    s = 1 + x2 * (-1.0 / 6 +
+                  x2 * (1.0 / 120 +
+                        x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800))))));
   } else {
     const double x = std::sqrt(x2);
     c = std::cos(x);
@@ -53,6 +54,8 @@ double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 double orthogonalityError(const Eigen::Matrix3d& rotation);
 
 /** One Newton step towards |q| = 1: enough, and cheap, for a quaternion that is unit to about 1e-8. */
-inline void renormalise(Eigen::Quaterniond& q) { q.coeffs() *= 1.5 - 0.5 * q.squaredNorm(); }
+inline void renormalise(Eigen::Quaterniond& q) {
+  q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();
+}
 
 }  // namespace poinsot

@@ -30,7 +30,6 @@ class StepperTrajectory {
   /** Like at(n), but gives up, returning false, soon after `cancel` becomes true; what was reached is kept. */
   bool moveTo(std::int64_t n, const std::atomic<bool>& cancel);
 
-  double step() const { return step_; }
   const Stepper& stepper() const { return *stepper_; }
 
  private:

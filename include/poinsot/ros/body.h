@@ -27,12 +27,13 @@ class Body {
   Motion& motion() { return motion_; }
   const Motion& motion() const { return motion_; }
   BodyPicture& picture() { return picture_; }
+  const BodyPicture& picture() const { return picture_; }
   const CostMeter& cost() const { return cost_; }
   double energyDrift() const { return energy_drift_; }
   double momentumDrift() const { return momentum_drift_; }
 
   /** Takes a motion that was moved ahead elsewhere. */
-  void replaceMotion(const Motion& motion) { motion_ = motion; }
+  void replaceMotion(Motion&& motion) { motion_ = std::move(motion); }
 
   /** Moves to the tick's time. */
   const MotionState& move(const Tick& tick);
@@ -54,7 +55,7 @@ class Body {
   BodyPicture picture_;
   MotionState state_;
   std::optional<std::uint32_t> segment_;
-  MotionState segment_start_;
+  Invariants segment_start_;
   double energy_drift_ = 0;
   double momentum_drift_ = 0;
   CostMeter cost_;

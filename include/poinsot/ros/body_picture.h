@@ -39,6 +39,8 @@ class BodyPicture {
     std::string body_frame;  ///< in which the ellipsoids are at rest
   };
 
+  bool atRest() const { return start_.omega_body.isZero(0); }
+
   visualization_msgs::Marker marker(const std::string& ns, int id, int type, const std::string& frame) const;
   visualization_msgs::Marker text(int id, const std::string& frame, const Eigen::Vector3d& place,
                                   const std::string& words, double height) const;
@@ -55,10 +57,11 @@ class BodyPicture {
   MotionState start_;
   PrincipalInertia inertia_;
   Assembly shape_;
-  bool momentum_is_constant_;  ///< by the method's promise, so that L need not be sent again
+  bool momentum_is_constant_;        ///< by the method's promise, so that L need not be sent again
+  Eigen::Vector3d omega_principal_;  ///< at t = 0 [rad/s]
+  view::Polhode polhode_;
   view::Layout layout_;
   view::PictureScale scale_;
-  view::Polhode polhode_;
   view::Trail trail_;
 };
 

@@ -30,7 +30,9 @@ inline constexpr const char* kFramePrefix = "frame_prefix";
 // Frames.
 inline constexpr const char* kWorld = "world";
 
-inline std::string topic(const std::string& body, const char* name) { return body + "/" + name; }
+inline std::string topic(const std::string& body, const char* name) {
+  return body + "/" + name;
+}
 
 /** The frames of one body, prefix included. */
 struct Frames {
@@ -55,7 +57,9 @@ inline constexpr const char* kSeparatrix = "separatrix";
 inline constexpr const char* kOmega = "omega";
 inline constexpr const char* kAngularMomentum = "angular_momentum";
 
-inline std::string markers(const std::string& body, const char* what) { return body + "/" + what; }
+inline std::string markers(const std::string& body, const char* what) {
+  return body + "/" + what;
+}
 inline std::string markers(const std::string& body, const char* picture, const char* what) {
   return body + "/" + picture + "/" + what;
 }

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "poinsot/ros/body.h"
@@ -38,8 +39,11 @@ class Node {
 
  private:
   void tick();
-  double cost() const;  ///< of all bodies together [CPU s per simulated s]
+  double cost() const;                ///< of all bodies together [CPU s per simulated s]
+  double stepsTo(double time) const;  ///< of all bodies together
   void publishStatic();
+  visualization_msgs::MarkerArray staticMarkers() const;
+  void resendStaticMarkers();
   void publishMarkers(const Tick& tick);
   void takeFinishedSeek();
 
@@ -63,6 +67,7 @@ class Node {
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   std::vector<geometry_msgs::TransformStamped> transforms_;  ///< reused from tick to tick
   ros::Publisher clock_publisher_, markers_publisher_, markers_static_publisher_;
+  std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last
   bool markers_watched_ = false;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Subscriber> subscribers_;

@@ -11,7 +11,7 @@ namespace poinsot::node {
 /** How regularly the ticks came, over some stretch of steady time. */
 struct Punctuality {
   std::int64_t ticks = 0;
-  double rate = 0;          ///< [Hz]
+  double rate = 0;           ///< [Hz]
   double mean_lateness = 0;  ///< of the tick behind its schedule [s]
   double jitter = 0;         ///< standard deviation of the lateness [s]
   double worst = 0;          ///< largest lateness [s]

@@ -14,21 +14,40 @@ inline std_msgs::ColorRGBA colour(float r, float g, float b) {
   return c;
 }
 
-inline std_msgs::ColorRGBA energy() { return colour(0.95f, 0.62f, 0.05f); }
-inline std_msgs::ColorRGBA momentumEllipsoid() { return colour(0.10f, 0.42f, 0.80f); }
-inline std_msgs::ColorRGBA polhode() { return colour(1, 1, 1); }
-inline std_msgs::ColorRGBA mirrorPolhode() { return colour(0.72f, 0.74f, 0.78f); }
-inline std_msgs::ColorRGBA separatrix() { return colour(0.18f, 0.20f, 0.24f); }
-inline std_msgs::ColorRGBA omega() { return colour(0.93f, 0.13f, 0.47f); }
-inline std_msgs::ColorRGBA angularMomentum() { return colour(0.20f, 0.78f, 0.55f); }
-inline std_msgs::ColorRGBA label() { return colour(0.93f, 0.94f, 0.96f); }
+inline std_msgs::ColorRGBA energy() {
+  return colour(0.95f, 0.62f, 0.05f);
+}
+inline std_msgs::ColorRGBA momentumEllipsoid() {
+  return colour(0.10f, 0.42f, 0.80f);
+}
+inline std_msgs::ColorRGBA polhode() {
+  return colour(1, 1, 1);
+}
+inline std_msgs::ColorRGBA mirrorPolhode() {
+  return colour(0.72f, 0.74f, 0.78f);
+}
+inline std_msgs::ColorRGBA separatrix() {
+  return colour(0.18f, 0.20f, 0.24f);
+}
+inline std_msgs::ColorRGBA omega() {
+  return colour(0.93f, 0.13f, 0.47f);
+}
+inline std_msgs::ColorRGBA angularMomentum() {
+  return colour(0.20f, 0.78f, 0.55f);
+}
+inline std_msgs::ColorRGBA label() {
+  return colour(0.93f, 0.94f, 0.96f);
+}
 
 /** Parts of a body in turn, so that one can see it turn. */
 inline std_msgs::ColorRGBA part(int index) {
   switch (index % 3) {
-    case 0: return colour(0.62f, 0.66f, 0.71f);
-    case 1: return colour(0.88f, 0.89f, 0.90f);
-    default: return colour(0.80f, 0.36f, 0.22f);
+    case 0:
+      return colour(0.62f, 0.66f, 0.71f);
+    case 1:
+      return colour(0.88f, 0.89f, 0.90f);
+    default:
+      return colour(0.80f, 0.36f, 0.22f);
   }
 }
 

@@ -25,7 +25,6 @@ class Seeker {
   /** Starts, giving up what was under way. */
   void start(std::vector<Motion> motions, double time);
   void cancel();
-  bool busy() const { return work_.valid(); }
 
   /** The result, once, when it is there. */
   std::optional<Result> poll();

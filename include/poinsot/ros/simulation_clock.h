@@ -29,7 +29,8 @@ class SimulationClock {
   void pause(bool paused);
   bool paused() const { return paused_; }
 
-  /** While paused: lets t run at rate 1 for one step length, ending on it exactly. Calls add up. Ignored while playing. */
+  /** While paused: lets t run at rate 1 for one step length, ending on it exactly. Calls add up. Ignored while playing.
+   */
   void step();
 
   /** Any finite speed; negative plays backwards. */
@@ -41,6 +42,12 @@ class SimulationClock {
 
   /** The time of the last tick; the start time before the first. */
   double time() const { return time_; }
+
+  /** The stamp of the last tick. */
+  const ros::Time& stamp() const { return stamp_; }
+
+  /** What t would be at `now` if nothing is commanded before; time() before the first tick. */
+  double timeAt(const ros::Time& now) const;
 
   /**
    * @param now the present stamp.

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "poinsot/view/polhode.h"
+
 namespace poinsot::view {
 
 /**
@@ -20,12 +22,13 @@ struct Layout {
  * @param body_radius of a sphere that holds the body [m].
  * @param moments principal moments [kg·m²].
  * @param axes principal axes → body axes, unit.
- * @param omega_body Ω at t = 0 [rad/s], principal axes.
+ * @param polhode at t = 0.
+ * @param omega_principal Ω at t = 0 [rad/s], principal axes.
  *
  * The picture in body axes is turned so that the polhode lies on the viewer's side: the axis that it goes round towards
  * the viewer, and some way to the side, the intermediate axis up.
  */
 Layout layoutOf(const Eigen::Vector3d& position, double body_radius, const Eigen::Vector3d& moments,
-                const Eigen::Quaterniond& axes, const Eigen::Vector3d& omega_body);
+                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal);
 
 }  // namespace poinsot::view

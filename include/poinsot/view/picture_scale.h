@@ -17,6 +17,6 @@ struct PictureScale {
  * The scale for a body with these principal moments [kg·m²] (any order) that turns with Ω [rad/s, principal axes].
  * Both figures are positive and finite. At rest, and where one would leave the range of doubles, that one is 1.
  */
-PictureScale pictureScale(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body);
+PictureScale pictureScale(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal);
 
 }  // namespace poinsot::view

@@ -41,9 +41,9 @@ struct Polhode {
  * decides; where roundoff makes it wrong the picture is the same.
  *
  * @param moments [kg·m²], principal, positive, in any order; the triangle inequality is not needed.
- * @param omega_body Ω [rad/s], principal axes in the same order, finite, of any size.
+ * @param omega_principal Ω [rad/s], principal axes in the same order, finite, of any size.
  * @param points_per_branch rounded up to a multiple of four, at least eight (one more on an open arc).
  */
-Polhode polhode(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body, int points_per_branch = 256);
+Polhode polhode(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal, int points_per_branch = 256);
 
 }  // namespace poinsot::view

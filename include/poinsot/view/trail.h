@@ -9,20 +9,19 @@ namespace poinsot::view {
 /**
  * The last stretch of a path, for drawing behind a moving point. Its last point is always the newest one added.
  *
- * Allocates on construction only. A point's age is the simulation time played since it was added, counted forwards and
- * backwards alike, so that a trail looks the same in either play direction; the caller clears it at a jump.
+ * Allocates on construction only. The caller clears it at a jump.
  */
 class Trail {
  public:
   /**
    * @param capacity most points kept, at least 2; beyond it the oldest goes.
-   * @param duration age at which a point is dropped [s of simulation time].
+   * @param length of the path behind the newest point beyond which points are dropped [the points' unit].
    * @param spacing closest distance between kept points [the points' unit]; the newest is exempt.
    */
-  Trail(std::size_t capacity, double duration, double spacing);
+  Trail(std::size_t capacity, double length, double spacing);
 
-  /** Adds a point at simulation time t [s]. Ignored unless both are finite. */
-  void add(double time, const Eigen::Vector3d& point);
+  /** Adds a point. Ignored unless finite. */
+  void add(const Eigen::Vector3d& point);
 
   void clear();
 
@@ -34,7 +33,7 @@ class Trail {
 
  private:
   struct Entry {
-    double played;  ///< simulation time played when the point was added [s]
+    double travelled;  ///< path length from the first point to this one
     Eigen::Vector3d point;
   };
 
@@ -42,12 +41,11 @@ class Trail {
   void dropOldest();
 
   std::vector<Entry> ring_;
-  double duration_;
+  double length_;
   double spacing_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
-  double played_ = 0;     ///< Σ|Δt| since clear()
-  double last_time_ = 0;  ///< of the newest point
+  double travelled_ = 0;  ///< path length since clear()
 };
 
 }  // namespace poinsot::view

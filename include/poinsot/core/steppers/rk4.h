@@ -6,8 +6,8 @@
 namespace poinsot::steppers {
 
 /**
- * The classical Runge–Kutta method (Kutta 1901) on q̇ = ½q(0,Ω), Λ̇ = Λ × Ω, Ω = M⁻¹Λ, the quaternion renormalised at each
- * step: what most people write first. Fourth order; conserves nothing exactly.
+ * The classical Runge–Kutta method (Kutta 1901) on q̇ = ½q(0,Ω), Λ̇ = Λ × Ω, Ω = M⁻¹Λ, the quaternion renormalised at
+ * each step: what most people write first. Fourth order; conserves nothing exactly.
  *
  * Two things keep roundoff below its truncation error for longer: the increments are summed with compensation, and the
  * right-hand side divides by the moments instead of multiplying by rounded inverses, which would be the moments of a
@@ -29,7 +29,8 @@ class Rk4 {
     derivative(q + (0.5 * h) * dq2, p + (0.5 * h) * dp2, dq3, dp3);
     derivative(q + h * dq3, p + h * dp3, dq4, dp4);
     const Eigen::Vector4d increment = (h / 6.0) * (dq1 + 2.0 * (dq2 + dq3) + dq4);
-    // Back to |q| = 1 along q itself, which does not turn it: exactly where a step leaves it, so that any step size works.
+    // Back to |q| = 1 along q itself, which does not turn it: exactly where a step leaves it, so that any step size
+    // works.
     const double norm = (q + increment).norm();
     const Eigen::Vector4d correction = (1.0 / norm - 1.0) * (q + increment);
     addCompensated<Eigen::Vector4d>(q, state.attitude_rest, increment + correction);

@@ -1,2 +1,0 @@
-catkin_add_gtest(test_assembly test_assembly.cpp)
-target_link_libraries(test_assembly poinsot_core gtest_main)
