@@ -238,10 +238,12 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
     trail.scale.x = kTrailWidth;
     trail.color = palette::omega();
     out.markers.push_back(trail);
-  } else {
+    trail_shown_ = true;
+  } else if (trail_shown_) {
     // After a jump the old trail would stay where it was.
     Marker none = marker(names::markers(name_, names::kTrail), 0, Marker::LINE_STRIP, frames_.model);
     none.action = Marker::DELETE;
+    trail_shown_ = false;
     out.markers.push_back(none);
   }
   if (!momentum_is_constant_) appendMomentum(tick.stamp, state.momentum_world, out);

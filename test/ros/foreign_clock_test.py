@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 import rostest  # noqa: E402
+from diagnostic_msgs.msg import DiagnosticArray  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
@@ -241,6 +242,28 @@ class ForeignClockTest(unittest.TestCase):
         self.control.pause(False)
         self.time.run(1.0)
         self.states.next_where(lambda s: s.time_rate == 1)
+        self.hold()
+
+    def test_9_a_jump_ahead_is_not_stepped_through(self):
+        # 1e8 s are 1e12 steps: nobody waits for them.
+        before = self.states.last()
+        self.time.set(self.time.now() + 1e8)
+        after = self.states.next_where(lambda s: (s.header.stamp - before.header.stamp).to_sec() > 1e7)
+        self.assertEqual(after.segment, before.segment + 1)
+        self.assertEqual(after.time, before.time, "t goes on from where it was")
+        self.time.run(1.0)
+        later = self.states.next_where(lambda s: (s.header.stamp - after.header.stamp).to_sec() > 0.5)
+        self.assertEqual(later.segment, after.segment)
+        self.assertGreater(later.time, after.time)
+        self.hold()
+
+    def test_a_diagnostics_outlive_a_jump_back(self):
+        diagnostics = graph.Listener("/diagnostics", DiagnosticArray)
+        self.time.run(1.0)
+        diagnostics.next()
+        self.time.set(self.time.now() - 1e7)
+        diagnostics.next_where(lambda d: d.header.stamp.to_sec() < self.time.now() + 1)
+        diagnostics.next()
         self.hold()
 
 

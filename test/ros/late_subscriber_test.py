@@ -2,6 +2,7 @@
 """Who comes late sees everything; and the node offers what it promises, no more."""
 import os
 import sys
+import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -116,6 +117,32 @@ class LateSubscriberTest(unittest.TestCase):
                 self.assertTrue(m.frame_locked, m.ns + " follows its frame without being sent again")
         again = self.latched("/markers_static", MarkerArray)
         self.assertEqual(again, array, "everybody is given the same")
+
+    def test_a_newcomer_is_sent_the_static_markers_once_more(self):
+        # RViz loses latched markers that reach it before their frames do; a second copy mends that.
+        listener = graph.Listener("/markers_static", MarkerArray)
+        graph.wait_for(lambda: len(listener.all()) >= 2, 15, "the second copy")
+        first, second = listener.all()[:2]
+        self.assertEqual(first, second)
+        time.sleep(3)
+        self.assertEqual(len(listener.all()), 2, "and no more")
+        listener.close()
+
+    def test_a_jump_takes_the_trail_away_while_paused(self):
+        control = graph.Control(NODE)
+        listener = graph.Listener("/markers", MarkerArray)
+
+        def trails(array, action):
+            return [m for m in array.markers if m.ns == BODIES[0] + "/trail" and m.action == action]
+        listener.next_where(lambda a: trails(a, Marker.ADD))
+        control.pause(True)
+        control.seek(5.0)
+        listener.next_where(lambda a: trails(a, Marker.DELETE))
+        time.sleep(0.5)
+        self.assertFalse(trails(listener.last(), Marker.ADD), "the trail of another place")
+        control.pause(False)
+        listener.next_where(lambda a: trails(a, Marker.ADD))
+        listener.close()
 
     def test_moving_markers(self):
         listener = graph.Listener("/markers", MarkerArray)

@@ -63,6 +63,7 @@ class BodyPicture {
   view::Layout layout_;
   view::PictureScale scale_;
   view::Trail trail_;
+  bool trail_shown_ = false;  ///< in a viewer, by what was sent
 };
 
 }  // namespace poinsot::node
