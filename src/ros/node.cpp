@@ -34,6 +34,8 @@ MarkerArray cleared() {
   MarkerArray out;
   Marker clear;
   clear.action = Marker::DELETEALL;
+  // With a frame RViz handles it in turn, like any marker; without, on the thread that received it, and may crash.
+  clear.header.frame_id = names::kWorld;
   clear.pose.orientation.w = 1;
   out.markers.push_back(clear);
   return out;
