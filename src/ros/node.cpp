@@ -34,7 +34,7 @@ MarkerArray cleared() {
   MarkerArray out;
   Marker clear;
   clear.action = Marker::DELETEALL;
-  // With a frame RViz handles it in turn, like any marker; without, on the thread that received it, and may crash.
+  // With a frame RViz takes it in turn with the markers; one without counts as failed and is handled out of turn.
   clear.header.frame_id = names::kWorld;
   clear.pose.orientation.w = 1;
   out.markers.push_back(clear);

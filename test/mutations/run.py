@@ -2,7 +2,7 @@
 """Shows that the audit can fail: changes one line of the node at a time, runs the audit against it, and demands that it
 reports just what is wrong.
 
-Usage: run.py BUILD_DIR   (made where missing; the source tree itself is not touched)
+Usage: run.py   (works on a copy of the sources in a temporary directory)
 
 The last line is "N passed, M failed"; exit 0 when all changes were caught, and the unchanged node passed.
 """
@@ -61,19 +61,6 @@ def must(command, **options):
         sys.exit("%s failed:\n%s" % (" ".join(command), result.stdout[-4000:]))
 
 
-def copy_sources(target):
-    """Only what has changed is written, so that only that is compiled again."""
-    for folder, folders, files in os.walk(ROOT):
-        folders[:] = [f for f in folders if f not in (".git", "build", "__pycache__")]
-        there = os.path.join(target, os.path.relpath(folder, ROOT))
-        os.makedirs(there, exist_ok=True)
-        for name in files:
-            source, copy = os.path.join(folder, name), os.path.join(there, name)
-            if os.path.exists(copy) and open(source, "rb").read() == open(copy, "rb").read():
-                continue
-            shutil.copy(source, copy)
-
-
 def build(build_dir):
     must(["cmake", "--build", build_dir, "--parallel", "2", "--target", "poinsot_node", "audit_live"])
 
@@ -92,12 +79,17 @@ def audit(build_dir):
 
 
 def main():
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    if len(sys.argv) > 1:
         print(__doc__)
         return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
-    work = os.path.realpath(sys.argv[1])
+    # Not below the package: ROS would find every launch file twice.
+    with tempfile.TemporaryDirectory(prefix="poinsot_mutations_") as work:
+        return mutate(work)
+
+
+def mutate(work):
     source, build_dir = os.path.join(work, "source"), os.path.join(work, "build")
-    copy_sources(source)
+    shutil.copytree(ROOT, source, ignore=shutil.ignore_patterns(".git", "build", "__pycache__"))
     must(["cmake", "-S", source, "-B", build_dir, "-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DCMAKE_BUILD_TYPE=Release",
           "-DCMAKE_CXX_FLAGS_RELEASE=-O1"])
     build(build_dir)

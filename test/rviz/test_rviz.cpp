@@ -291,8 +291,6 @@ int main(int argc, char** argv) {
   view_file = argv[1];
   scene_file = argv[2];
   QApplication application(argc, argv);
-  ros::NodeHandle handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
+  const ros::NodeHandle handle;  // nobody but RViz may call its callbacks, on this thread: no spinner
   return RUN_ALL_TESTS();
 }

@@ -102,7 +102,7 @@ is_installed() {
     [ -e "$file" ] || { echo "not installed: $file"; missing=1; }
   done < <(cd "$workspace/src.gone/poinsot" && {
     find launch rviz scenes -type f | sed "s|^|$share/|"
-    find include -type f | sed "s|^|$workspace/install/|"
+    find include/poinsot/core -type f | sed "s|^|$workspace/install/|"
     for message in msg/*.msg; do
       echo "$share/$message"
       echo "$workspace/install/include/poinsot/$(basename "$message" .msg).h"
@@ -114,7 +114,7 @@ names_nothing_of_the_build() {
   ! grep -rlE "$workspace/(devel|src|build)" "$workspace/install" --include='*.cmake' --include='*.pc' --include='*.launch' \
       --include='*.py' --include='*.sh' --include='*.rviz'
 }
-check "headers, messages, launch files, views and scenes are installed" is_installed
+check "core's headers, messages, launch files, views and scenes are installed" is_installed
 check "no installed file names the source or build space" names_nothing_of_the_build
 check "rosrun poinsot propagate --help" in_space "$install" rosrun poinsot propagate --help
 check_scene() {
