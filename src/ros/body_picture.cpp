@@ -38,8 +38,10 @@ constexpr double kTrailLift = 1.020;
 constexpr double kTrailShare = 0.6;      // of the polhode: a trail that met itself would flicker
 constexpr double kTrailSpacing = 0.012;  // m
 
-constexpr double kBesideArrow = 0.17;                 // m
-const Eigen::Vector3d kBesideBead(0.25, 0.12, 0.14);  // before it, to its right and above
+constexpr double kBesideArrow = 0.17;  // m
+constexpr double kBesideBead = 0.22;
+constexpr double kBeforeLines = 0.15;     // towards the viewer
+constexpr double kBeforeSurfaces = 0.35;  // towards the viewer
 
 // Ids within <body>/label.
 enum LabelId { kBodyTitle, kSpaceTitle, kModelTitle, kMomentumSymbol, kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol };
@@ -55,8 +57,15 @@ std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGB
 Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Vector3d& momentum_world) {
   const Eigen::Vector3d l = momentum_world.normalized();
   const double lean = omega_metres.y() - omega_metres.dot(l) * l.y();
-  const double side = std::clamp((lean + 0.06) / 0.05, -1.0, 1.0);
-  return {0, kBesideArrow * side, 0};
+  const double side = std::clamp((lean + 0.06) / 0.02, -1.0, 1.0);
+  return {kBeforeLines, kBesideArrow * side, 0};
+}
+
+/** For a viewer at +x: where Ω's name stands beside its bead, outwards, and before the ellipsoids. All in world axes.
+ */
+Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
+  const Eigen::Vector2d outwards = Eigen::Vector2d(bead.y() + 0.04, bead.z() + 0.02).normalized();
+  return {kBeforeSurfaces, kBesideBead * outwards.x(), kBesideBead * outwards.y()};
 }
 
 view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second) {
@@ -222,8 +231,10 @@ void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, Marke
   bead.scale = toVector3(Eigen::Vector3d::Constant(kBeadDiameter));
   bead.color = palette::omega();
   out.markers.push_back(bead);
-  Marker bead_symbol = text(kModelOmegaSymbol, frames_.model,
-                            in_model + layout_.model_orientation.conjugate() * kBesideBead, "\xCE\xA9", kSymbolHeight);
+  Marker bead_symbol =
+      text(kModelOmegaSymbol, frames_.model,
+           in_model + layout_.model_orientation.conjugate() * besideBead(layout_.model_orientation * in_model),
+           "\xCE\xA9", kSymbolHeight);
   bead_symbol.color = palette::omega();
   out.markers.push_back(bead_symbol);
 
