@@ -40,8 +40,8 @@ constexpr double kTrailSpacing = 0.012;  // m
 
 constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideBead = 0.22;
-constexpr double kBeforeLines = 0.15;     // towards the viewer
-constexpr double kBeforeSurfaces = 0.35;  // towards the viewer
+constexpr double kBeforeLines = 0.15;                  // towards the viewer
+const Eigen::Vector3d kBeforeSurfaces(0.32, 0, 0.14);  // towards a viewer who looks down a little
 
 // Ids within <body>/label.
 enum LabelId { kBodyTitle, kSpaceTitle, kModelTitle, kMomentumSymbol, kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol };
@@ -65,7 +65,7 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
  */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   const Eigen::Vector2d outwards = Eigen::Vector2d(bead.y() + 0.04, bead.z() + 0.02).normalized();
-  return {kBeforeSurfaces, kBesideBead * outwards.x(), kBesideBead * outwards.y()};
+  return kBeforeSurfaces + kBesideBead * Eigen::Vector3d(0, outwards.x(), outwards.y());
 }
 
 view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "number.h"
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/motion.h"
 #include "words.h"
 
 namespace poinsot::scene {

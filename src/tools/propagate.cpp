@@ -148,7 +148,8 @@ int fail(int code, const std::string& reason) {
 int main(int argc, char** argv) {
   CLI::App app(kAbout, "propagate");
   std::string method = "closed_form", step;
-  app.add_option("--method", method, "One of " + poinsot::methodNames())->capture_default_str();
+  app.add_option("--method", method, "One of " + poinsot::methodNames() + "; closed_form is not in this version")
+      ->capture_default_str();
   app.add_option("--step", step, "Longest step of a stepper [s], positive");
   try {
     app.parse(argc, argv);

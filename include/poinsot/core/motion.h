@@ -26,13 +26,17 @@ struct MotionState {
   Invariants invariants() const { return {kinetic_energy, momentum_world.squaredNorm(), momentum_world}; }
 };
 
+/** What a body gets that names no method. */
+constexpr const char* kDefaultMethod = "buss2";
+constexpr double kDefaultStep = 1e-4;  // s
+
 /** What a motion is made of. */
 struct MotionSetup {
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world; normalised on use
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
-  std::string method = "buss2";
-  double step = 1e-4;                      ///< [s]
+  std::string method = kDefaultMethod;
+  double step = kDefaultStep;              ///< [s]
   std::optional<Translation> translation;  ///< not computed where absent
 };
 

@@ -30,9 +30,6 @@ struct Scene {
   std::vector<std::string> warnings;
 };
 
-/** What a body gets that names no method. */
-constexpr const char* kDefaultMethod = "buss2";
-constexpr double kDefaultStep = 1e-4;  // s
-constexpr double kDefaultRate = 60;    // Hz
+constexpr double kDefaultRate = 60;  // Hz
 
 }  // namespace poinsot::scene
