@@ -52,7 +52,7 @@ std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGB
 
 /**
  * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on the right while the two are
- * parallel. It passes from one side to the other without a jump.
+ * parallel. It passes quickly, but without a jump, from one side to the other.
  */
 Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Vector3d& momentum_world) {
   const Eigen::Vector3d l = momentum_world.normalized();
@@ -61,8 +61,7 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
   return {kBeforeLines, kBesideArrow * side, 0};
 }
 
-/** For a viewer at +x: where Ω's name stands beside its bead, outwards, and before the ellipsoids. All in world axes.
- */
+/** For a viewer at +x: where Ω's name stands from its bead, outwards and before the ellipsoids; world axes [m]. */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   const Eigen::Vector2d outwards = Eigen::Vector2d(bead.y() + 0.04, bead.z() + 0.02).normalized();
   return kBeforeSurfaces + kBesideBead * Eigen::Vector3d(0, outwards.x(), outwards.y());

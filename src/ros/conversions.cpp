@@ -5,20 +5,25 @@
 
 namespace poinsot::node {
 
-geometry_msgs::Point toPoint(const Eigen::Vector3d& v) {
-  geometry_msgs::Point out;
+namespace {
+
+template <class Message>
+Message xyz(const Eigen::Vector3d& v) {
+  Message out;
   out.x = v.x();
   out.y = v.y();
   out.z = v.z();
   return out;
 }
 
+}  // namespace
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& v) {
+  return xyz<geometry_msgs::Point>(v);
+}
+
 geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 out;
-  out.x = v.x();
-  out.y = v.y();
-  out.z = v.z();
-  return out;
+  return xyz<geometry_msgs::Vector3>(v);
 }
 
 geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& q) {
