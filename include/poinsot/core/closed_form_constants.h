@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+
+/** What the set-up of a ClosedForm leaves for its evaluations. Symbols: doc/closed_form.md. */
+namespace poinsot::closed_form {
+
+/** A number as the sum of two doubles. */
+struct Pair {
+  double high = 0, low = 0;
+};
+
+/**
+ * How the motion goes on: two phases that are linear in scaled time, each counted in turns of its own.
+ * - half: v = u/2K, in half-periods of Ω;
+ * - turn: f, the phase about L, in turns of a quaternion (4π).
+ * On the separatrix, where K is infinite, v = u/kSeparatrixSpan.
+ */
+struct Phases {
+  Pair half, turn;
+};
+
+constexpr double kSeparatrixSpan = 2000;
+
+struct Constants {
+  enum class Series : std::uint8_t { trigonometric, hyperbolic };
+  enum class Kind : std::uint8_t { steady, periodic, separatrix };
+
+  Kind kind = Kind::steady;
+  Series series = Series::trigonometric;
+  std::int8_t encircled = -1;  ///< principal axis, −1 for none
+  bool symmetric = false;      ///< two equal moments
+
+  // scaled time = (t·time_scale[0])·time_scale[1], a power of two; two factors, as one may leave the range of doubles.
+  double time_scale[2] = {1, 1};
+  Phases rate;   ///< per unit of scaled time
+  Phases start;  ///< at t = 0; turn is 0
+
+  // Series in y = cos 2α, or in E = exp(−|x|) and H = exp(|x| − X/2), x = X·v.
+  double theta_even[3] = {1, 0, 0}, theta_odd[2] = {0, 0};  ///< trigonometric: θ₄, and θ₃ with odd terms reversed
+  double sine_even[3] = {1, 0, 0}, sine_odd[2] = {0, 0};    ///< trigonometric: θ₁/sin α, θ₂/cos α
+  double z_real[4] = {1, 0, 0, 0}, z_imag[3] = {0, 0, 0};   ///< trigonometric: Z
+  double span = 0;                                          ///< hyperbolic: X = πK/K'
+  double nome[7] = {0};                                     ///< hyperbolic: powers 0 … 6 of q' = exp(−X)
+  double root_nome = 0;                                     ///< hyperbolic: √q'
+  double z_cos[4] = {0, 0, 0, 0}, z_sin[4] = {0, 0, 0, 0};  ///< hyperbolic: cos, sin of (n + ½)η
+  double z_turn = 0;                                        ///< hyperbolic: η/2π, by which Z turns a half-period
+
+  // Amplitudes of cn, sn, dn as the series give them (theta constants included), along the internal axes.
+  double momentum[3] = {0, 0, 1};  ///< of M/|L|
+  int from[3] = {0, 1, 2};         ///< Ω's component i is that along internal axis from[i] …
+  double omega[3] = {0, 0, 0};     ///< … times this [rad/s]
+  double frame[4][4] = {};         ///< attitude (w, x, y, z) = frame · (internal quaternion)
+
+  double complementary_modulus = 1;  ///< k'
+};
+
+}  // namespace poinsot::closed_form

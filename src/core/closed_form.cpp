@@ -1,0 +1,153 @@
+#include "poinsot/core/closed_form.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "closed_form/levels.h"
+#include "closed_form/wide.h"
+#include "poinsot/core/inertia.h"
+
+namespace poinsot {
+namespace {
+
+using closed_form::Constants;
+using closed_form::Phases;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse(const std::string& reason) {
+  throw std::invalid_argument(reason);
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+closed_form::Start checked(const Eigen::Vector3d& moments, const Eigen::Quaterniond& q, const Eigen::Vector3d& omega) {
+  PrincipalInertia::fromMoments(moments);
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(omega[i])) {
+      refuse("component " + std::to_string(i + 1) + " of the angular velocity is " + shown(omega[i]) +
+             "; it must be finite (rad/s)");
+    }
+  }
+  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
+    refuse("the attitude is [" + shown(q.w()) + ", " + shown(q.x()) + ", " + shown(q.y()) + ", " + shown(q.z()) +
+           "]; it must be a finite quaternion (w, x, y, z) other than zero");
+  }
+  return {{moments[0], moments[1], moments[2]}, {omega[0], omega[1], omega[2]}, {q.w(), q.x(), q.y(), q.z()}};
+}
+
+void checkTime(const char* what, double t) {
+  if (!std::isfinite(t)) refuse(std::string(what) + " is " + shown(t) + "; it must be finite (s)");
+}
+
+}  // namespace
+
+ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
+                       const Eigen::Vector3d& omega_body)
+    : moments_(moments), attitude_(attitude), omega_body_(omega_body) {
+  const closed_form::Start start = checked(moments, attitude, omega_body);
+  if (closed_form::isOrdinary(start)) {
+    closed_form::bestLevel().set_up(start, constants_);
+  } else {
+    closed_form::setUpWide(start, constants_);
+  }
+}
+
+closed_form::Start ClosedForm::start() const {
+  return checked(moments_, attitude_, omega_body_);
+}
+
+ClosedForm::State ClosedForm::at(double t) const {
+  double s[7];
+  if (!closed_form::bestLevel().at(constants_, t, s)) {
+    checkTime("the time", t);
+    double* const columns[7] = {s, s + 1, s + 2, s + 3, s + 4, s + 5, s + 6};
+    closed_form::sampleWide(start(), constants_, t, 0, 1, columns);
+  }
+  return {{s[0], s[1], s[2], s[3]}, {s[4], s[5], s[6]}};
+}
+
+void ClosedForm::sample(double t0, double dt, Eigen::Ref<Samples> out) const {
+  double* columns[7];
+  for (int i = 0; i < 7; ++i) columns[i] = out.col(i).data();
+  if (closed_form::bestLevel().sample(constants_, t0, dt, out.rows(), columns)) return;
+  checkTime("the first time", t0);
+  checkTime("the time from sample to sample", dt);
+  closed_form::sampleWide(start(), constants_, t0, dt, out.rows(), columns);
+}
+
+ClosedForm::Samples ClosedForm::sample(double t0, double dt, Eigen::Index n) const {
+  Samples out(n, 7);
+  sample(t0, dt, out);
+  return out;
+}
+
+ClosedForm::Regime ClosedForm::regime() const {
+  switch (constants_.kind) {
+    case Constants::Kind::steady:
+      return Regime::steady;
+    case Constants::Kind::separatrix:
+      return Regime::separatrix;
+    case Constants::Kind::periodic:
+      break;
+  }
+  return Regime::general;
+}
+
+int ClosedForm::encircledAxis() const {
+  return constants_.encircled;
+}
+
+double ClosedForm::separatrixDistance() const {
+  return constants_.complementary_modulus;
+}
+
+double ClosedForm::fromScaledTime(double t) const {
+  return t / constants_.time_scale[0] / constants_.time_scale[1];
+}
+
+double ClosedForm::period() const {
+  if (constants_.kind != Constants::Kind::periodic) return kInfinity;
+  return fromScaledTime(2 / std::abs(constants_.rate.half.high));
+}
+
+double ClosedForm::timeToNextFlip(double t) const {
+  checkTime("the time", t);
+  if (constants_.kind == Constants::Kind::steady || constants_.symmetric) return kInfinity;
+  Phases phases;
+  if (!closed_form::bestLevel().phases(constants_, t, phases)) {
+    closed_form::phasesWide(start(), constants_, t, phases);
+  }
+  const double rate = constants_.rate.half.high;
+  // Half-periods since Ω₂ last vanished, in the direction of time; the low part decides when the high one is whole.
+  const double direction = rate < 0 ? -1 : 1;
+  const double high = direction * phases.half.high, low = direction * phases.half.low;
+  if (constants_.kind == Constants::Kind::separatrix) {
+    const bool passed = high > 0 || (high == 0 && low >= 0);
+    return passed ? kInfinity : fromScaledTime(-(high + low) / std::abs(rate));
+  }
+  const double whole = std::floor(high);
+  double left = (1 - (high - whole)) - low;
+  if (left > 1) left -= 1;
+  if (!(left > 0)) left += 1;
+  return fromScaledTime(left / std::abs(rate));
+}
+
+double ClosedForm::montgomeryAngle() const {
+  if (constants_.kind != Constants::Kind::periodic) return std::numeric_limits<double>::quiet_NaN();
+  return 8 * M_PI * (constants_.rate.turn.high / std::abs(constants_.rate.half.high));
+}
+
+double ClosedForm::precessionRate() const {
+  return 4 * M_PI * constants_.rate.turn.high * constants_.time_scale[0] * constants_.time_scale[1];
+}
+
+}  // namespace poinsot

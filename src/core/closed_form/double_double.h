@@ -1,0 +1,190 @@
+#pragma once
+
+#include "poinsot/core/closed_form_constants.h"
+
+// Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
+namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
+
+/**
+ * A number as the unevaluated sum of two doubles, |low| ≤ half an ulp of high: about 106 bits (Dekker 1971; the
+ * algorithms are those of Hida, Li and Bailey, "Library for double-double and quad-double arithmetic", 2007).
+ * Needs IEEE arithmetic as written: no -ffast-math. Relative errors are a few 2⁻¹⁰⁴; nothing guards against overflow
+ * beyond 1e290 or against low parts below 1e-308.
+ */
+struct DoubleDouble {
+  double high = 0, low = 0;
+
+  constexpr DoubleDouble() = default;
+  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: meant to convert
+  constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
+};
+
+/** a + b exactly. */
+inline DoubleDouble exactSum(double a, double b) {
+  const double sum = a + b;
+  const double taken = sum - a;
+  return {sum, (a - (sum - taken)) + (b - taken)};
+}
+
+/** a + b exactly, for |a| ≥ |b| or a = 0. */
+inline DoubleDouble exactSumOrdered(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/** a·b exactly. */
+inline DoubleDouble exactProduct(double a, double b) {
+  const double product = a * b;
+#ifdef __FP_FAST_FMA
+  return {product, __builtin_fma(a, b, -product)};
+#else
+  constexpr double kSplitter = 134217729.0;  // 2²⁷ + 1
+  const double ta = kSplitter * a, tb = kSplitter * b;
+  const double a1 = ta - (ta - a), b1 = tb - (tb - b);
+  const double a2 = a - a1, b2 = b - b1;
+  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
+#endif
+}
+
+inline DoubleDouble operator-(const DoubleDouble& a) {
+  return {-a.high, -a.low};
+}
+
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble s = exactSum(a.high, b.high);
+  const DoubleDouble t = exactSum(a.low, b.low);
+  const DoubleDouble u = exactSumOrdered(s.high, s.low + t.high);
+  return exactSumOrdered(u.high, u.low + t.low);
+}
+
+inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+  return a + -b;
+}
+
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble p = exactProduct(a.high, b.high);
+  return exactSumOrdered(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double q1 = a.high / b.high;
+  const DoubleDouble r1 = a - b * q1;
+  const double q2 = r1.high / b.high;
+  const DoubleDouble r2 = r1 - b * q2;
+  return exactSumOrdered(q1, q2) + DoubleDouble(r2.high / b.high);
+}
+
+inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+inline bool operator>(const DoubleDouble& a, const DoubleDouble& b) {
+  return b < a;
+}
+inline bool operator==(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high == b.high && a.low == b.low;
+}
+
+inline DoubleDouble sqrt(const DoubleDouble& a) {
+  if (!(a.high > 0)) return 0.0;
+  const double root = __builtin_sqrt(a.high);
+  const DoubleDouble rest = a - exactProduct(root, root);
+  return exactSumOrdered(root, rest.high / (2 * root));
+}
+
+inline DoubleDouble abs(const DoubleDouble& a) {
+  return a.high < 0 ? -a : a;
+}
+
+/** a times a power of two. */
+inline DoubleDouble scaled(const DoubleDouble& a, double power) {
+  return {a.high * power, a.low * power};
+}
+
+template <class Real>
+Real powerOfTwo(int n);
+template <>
+inline DoubleDouble powerOfTwo<DoubleDouble>(int n) {
+  return __builtin_ldexp(1.0, n);
+}
+
+/** eᵃ, relative error a few 2⁻¹⁰⁴ (|a| + 1); 0 below −700. */
+inline DoubleDouble exp(const DoubleDouble& a) {
+  constexpr DoubleDouble kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+  constexpr int kHalvings = 8;
+  if (a.high < -700) return 0.0;
+  const double n = __builtin_rint(a.high / kLn2.high);
+  const DoubleDouble r = scaled(a - kLn2 * n, 1.0 / (1 << kHalvings));  // |r| < 0.0014
+  // eʳ − 1 by Taylor, then (1 + x)² − 1 = 2x + x²: nothing cancels.
+  DoubleDouble x = 0.0;
+  for (int k = 10; k > 1; --k) x = (x + 1.0) * r / double(k);
+  x = (x + 1.0) * r;
+  for (int k = 0; k < kHalvings; ++k) x = scaled(x, 2) + x * x;
+  return scaled(x + 1.0, __builtin_ldexp(1.0, static_cast<int>(n)));
+}
+
+/** ln a for a > 0: one Newton step from the double's. */
+inline DoubleDouble log(const DoubleDouble& a) {
+  const double guess = __builtin_log(a.high);
+  const DoubleDouble e = a * exp(DoubleDouble(-guess)) - 1.0;
+  return (e - e * e * 0.5) + guess;
+}
+
+/** The angle of the point (x, y), both ≥ 0 and not both 0: one Newton step from the double's. */
+inline DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
+  constexpr int kHalvings = 5;
+  const double guess = __builtin_atan2(y.high, x.high);
+  // sin of guess/32 by Taylor, then the double angle five times, in s = sin and v = 1 − cos.
+  const double r = guess / (1 << kHalvings);  // ≤ 0.05
+  const DoubleDouble r2 = exactProduct(r, r);
+  DoubleDouble series = 0.0;
+  for (int k = 17; k > 1; k -= 2) series = (series + 1.0) * r2 / double(-k * (k - 1));
+  DoubleDouble s = (series + 1.0) * r;
+  DoubleDouble v = s * s / (sqrt(1.0 - s * s) + 1.0);
+  for (int k = 0; k < kHalvings; ++k) {
+    const DoubleDouble square = s * s;
+    s = scaled(s - s * v, 2);
+    v = scaled(square, 2);
+  }
+  const DoubleDouble c = 1.0 - v;
+  const DoubleDouble turn = (y * c - x * s) / (x * c + y * s);  // tan of what is missing, ~1e-16
+  return turn + guess;
+}
+
+inline double toDouble(const DoubleDouble& a) {
+  return a.high + a.low;
+}
+
+/** a·2ⁿ */
+inline double toDouble(const DoubleDouble& a, int n) {
+  return __builtin_ldexp(toDouble(a), n);
+}
+
+inline Pair asPair(const DoubleDouble& a) {
+  return {a.high, a.low};
+}
+
+/** x·2ⁿ, exactly as long as that is a double. */
+template <class Real>
+Real exactly(double x, int n);
+template <>
+inline DoubleDouble exactly<DoubleDouble>(double x, int n) {
+  return __builtin_ldexp(x, n);
+}
+
+/** π, from the first digits. */
+template <class Real>
+Real pi();
+template <>
+inline DoubleDouble pi<DoubleDouble>() {
+  return {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+}
+
+/** Bits that count. */
+template <class Real>
+constexpr int precision();
+template <>
+constexpr int precision<DoubleDouble>() {
+  return 106;
+}
+
+}  // namespace poinsot::closed_form::POINSOT_SIMD_LEVEL
