@@ -66,13 +66,14 @@ closed_form::Start ClosedForm::start() const {
 }
 
 ClosedForm::State ClosedForm::at(double t) const {
-  double s[7];
-  if (!closed_form::bestLevel().at(constants_, t, s)) {
+  State state;
+  if (!closed_form::bestLevel().at(constants_, t, state.attitude.coeffs().data(), state.omega_body.data())) {
     checkTime("the time", t);
-    double* const columns[7] = {s, s + 1, s + 2, s + 3, s + 4, s + 5, s + 6};
-    closed_form::sampleWide(start(), constants_, t, 0, 1, columns);
+    Phases phases;
+    closed_form::phasesWide(start(), constants_, t, phases);
+    closed_form::bestLevel().at_phases(constants_, phases, state.attitude.coeffs().data(), state.omega_body.data());
   }
-  return {{s[0], s[1], s[2], s[3]}, {s[4], s[5], s[6]}};
+  return state;
 }
 
 void ClosedForm::sample(double t0, double dt, Eigen::Ref<Samples> out) const {

@@ -29,17 +29,20 @@ struct Constants {
   Kind kind = Kind::steady;
   Series series = Series::trigonometric;
   std::int8_t encircled = -1;  ///< principal axis, −1 for none
+  bool delicate = false;       ///< Ω₁ may dwarf the rest, so that cn is wanted to its last bits also near its zeros
   bool symmetric = false;      ///< two equal moments
 
   // scaled time = (t·time_scale[0])·time_scale[1], a power of two; two factors, as one may leave the range of doubles.
   double time_scale[2] = {1, 1};
-  Phases rate;   ///< per unit of scaled time
-  Phases start;  ///< at t = 0; turn is 0
+  double reach = 0;  ///< scaled time up to which double-double phases are good enough
+  Phases rate;       ///< per unit of scaled time
+  Phases start;      ///< at t = 0; turn is 0
 
   // Series in y = cos 2α, or in E = exp(−|x|) and H = exp(|x| − X/2), x = X·v.
   double theta_even[3] = {1, 0, 0}, theta_odd[2] = {0, 0};  ///< trigonometric: θ₄, and θ₃ with odd terms reversed
   double sine_even[3] = {1, 0, 0}, sine_odd[2] = {0, 0};    ///< trigonometric: θ₁/sin α, θ₂/cos α
   double z_real[4] = {1, 0, 0, 0}, z_imag[3] = {0, 0, 0};   ///< trigonometric: Z
+  double wraps = 1;                                         ///< hyperbolic: 0 on the separatrix, else 1
   double span = 0;                                          ///< hyperbolic: X = πK/K'
   double nome[7] = {0};                                     ///< hyperbolic: powers 0 … 6 of q' = exp(−X)
   double root_nome = 0;                                     ///< hyperbolic: √q'

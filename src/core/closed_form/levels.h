@@ -9,8 +9,6 @@ namespace poinsot::closed_form {
  * The hot code for one instruction set. The same headers are compiled once for each, all in a namespace of its name
  * (POINSOT_SIMD_LEVEL): were an inline function shared between them, the linker would keep one for all, and might keep
  * that of a newer processor.
- *
- * A state is seven numbers: attitude w, x, y, z, then Ω₁, Ω₂, Ω₃.
  */
 struct Level {
   const char* name;
@@ -21,20 +19,15 @@ struct Level {
   /** Reduced: half to two half-periods, turn to one turn; on the separatrix half is cut off far out. False as below. */
   bool (*phases)(const Constants& constants, double t, Phases& out);
 
-  /** False, and nothing done, when t is so far that the phases need more than double-double. */
-  bool (*at)(const Constants& constants, double t, double state[7]);
+  /** The state; attitude as x, y, z, w. False, and nothing done, beyond Constants::reach. */
+  bool (*at)(const Constants& constants, double t, double* attitude, double* omega);
 
-  /** States at t0 + j·dt, j = 0 … n−1, into columns[quantity][j]; false as above. */
+  /** The state at phases that are reduced. */
+  void (*at_phases)(const Constants& constants, const Phases& phases, double* attitude, double* omega);
+
+  /** States at t0 + j·dt, j = 0 … n−1: w, x, y, z, Ω₁, Ω₂, Ω₃ into columns[quantity][j]. False as above. */
   bool (*sample)(const Constants& constants, double t0, double dt, long n, double* const columns[7]);
-
-  /** States at phases base + j·step, both reduced, j = 0 … n−1, n ≤ kBlock. */
-  void (*block)(const Constants& constants, const Phases& base, const Phases& step, int n, double* const columns[7]);
 };
-
-constexpr int kBlock = 64;
-
-/** Turns beyond which the phases at t need more than double-double. */
-constexpr double kMostTurns = 0x1p44;
 
 /** Where the phase along the separatrix, which does not wrap, is as good as infinite. */
 constexpr double kFarAlong = 16;

@@ -5,14 +5,17 @@
 #include "discriminant.h"
 #include "elliptic.h"
 #include "internal_axes.h"
-#include "kernel.h"
 #include "poinsot/core/closed_form_constants.h"
+#include "series.h"
 
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 //
 // Everything is a template on the type of number: DoubleDouble where that suffices, or one with far more bits and an
 // unlimited exponent.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
+
+/** Phases of more turns than this leave too few bits of a double-double below a turn. */
+constexpr double kMostTurns = 0x1p44;
 
 /** The two phases per unit of scaled time, in all their digits, and the half-period's phase at t = 0. */
 template <class Real>
@@ -142,7 +145,7 @@ Real hyperbolicSeries(const Real& nome, const Real& cos_half, const Real& sin_ha
   double power = 1;
   for (double& x : c.nome) {
     x = power;
-    power *= q;
+    power = power * q > 1e-150 ? power * q : 0;  // slow to compute with, and nothing beside 1
   }
   // cos and sin of (n + ½)η: each is the last one turned by η
   const Real cos_whole = cos_half * cos_half - sin_half * sin_half, sin_whole = scaled(cos_half * sin_half, 2);
@@ -237,6 +240,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
     rates.half = p / kSeparatrixSpan;
     rates.half_start = square < far ? log(tangent + sqrt(tangent * tangent + one)) * side / kSeparatrixSpan : zero;
     c.span = kSeparatrixSpan;
+    c.wraps = 0;
     c.series = Constants::Series::hyperbolic;
     const Landen<Real> across = landen<Real>(one, s / r);
     phase_slope = hyperbolicSeries(zero, across.cosHalf(), across.sinHalf(), c);
@@ -286,6 +290,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
     c.omega[axes.from[k]] = axes.sign[k] * theta_ratio[k] * toDouble(amplitude[k] / I[k], omega_exponent);
   }
   c.complementary_modulus = toDouble(k1);
+  c.delicate = magnitude(c.omega[axes.from[0]]) > 4 * magnitude(c.omega[axes.from[1]]);
   c.start.half = asPair(rates.half_start);
   setFrame<Real>(start, axes, c);
   return rates;
@@ -305,6 +310,9 @@ Rates<Real> setUp(const Start& start, Constants& c) {
                                             : setUpMoving<Real>(start, omega_exponent, moment_exponent, c);
   c.rate.half = asPair(rates.half);
   c.rate.turn = asPair(rates.turn);
+  const double half = c.kind == Constants::Kind::separatrix ? 0 : magnitude(c.rate.half.high);
+  const double turn = magnitude(c.rate.turn.high);
+  c.reach = kMostTurns / (half > turn ? half : turn);
   return rates;
 }
 

@@ -72,9 +72,10 @@ void sampleWide(const Start& start, const Constants& constants, double t0, doubl
   const wide::Motion motion(start, constants);
   const wide::Wide begin = motion.scaledTime(t0), step = motion.scaledTime(dt);
   for (long j = 0; j < n; ++j) {
-    double* rest[7];
-    for (int i = 0; i < 7; ++i) rest[i] = columns[i] + j;
-    bestLevel().block(constants, motion.phasesAt(wide::Wide(begin + step * j)), Phases(), 1, rest);
+    double attitude[4], omega[3];
+    bestLevel().at_phases(constants, motion.phasesAt(wide::Wide(begin + step * j)), attitude, omega);
+    for (int i = 0; i < 4; ++i) columns[i][j] = attitude[(i + 3) % 4];
+    for (int i = 0; i < 3; ++i) columns[4 + i][j] = omega[i];
   }
 }
 
