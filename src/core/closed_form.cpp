@@ -112,7 +112,7 @@ double ClosedForm::separatrixDistance() const {
 }
 
 double ClosedForm::fromScaledTime(double t) const {
-  return t / constants_.time_scale[0] / constants_.time_scale[1];
+  return t / constants_.time_scale;
 }
 
 double ClosedForm::period() const {
@@ -148,7 +148,7 @@ double ClosedForm::montgomeryAngle() const {
 }
 
 double ClosedForm::precessionRate() const {
-  return 4 * M_PI * constants_.rate.turn.high * constants_.time_scale[0] * constants_.time_scale[1];
+  return 4 * M_PI * constants_.rate.turn.high * constants_.time_scale;
 }
 
 }  // namespace poinsot

@@ -32,11 +32,10 @@ struct Constants {
   bool delicate = false;       ///< Ω₁ may dwarf the rest, so that cn is wanted to its last bits also near its zeros
   bool symmetric = false;      ///< two equal moments
 
-  // scaled time = (t·time_scale[0])·time_scale[1], a power of two; two factors, as one may leave the range of doubles.
-  double time_scale[2] = {1, 1};
-  double reach = 0;  ///< scaled time up to which double-double phases are good enough
-  Phases rate;       ///< per unit of scaled time
-  Phases start;      ///< at t = 0; turn is 0
+  double time_scale = 1;  ///< scaled time = t·time_scale, a power of two
+  double reach = 0;       ///< scaled time up to which double-double phases are good enough
+  Phases rate;            ///< per unit of scaled time
+  Phases start;           ///< at t = 0; turn is 0
 
   // Series in y = cos 2α, or in E = exp(−|x|) and H = exp(|x| − X/2), x = X·v.
   double theta_even[3] = {1, 0, 0}, theta_odd[2] = {0, 0};  ///< trigonometric: θ₄, and θ₃ with odd terms reversed

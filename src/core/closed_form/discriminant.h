@@ -51,16 +51,18 @@ inline DoubleDouble exactSumOf(double* terms, int n) {
   return sum;
 }
 
-/** w²·i·(j − k)·sign as 16 doubles, exactly. */
-inline void exactTerms(double w, double i, double j, double k, double sign, double out[16]) {
+/** Appends w²·i·(j − k)·sign, exactly, as doubles: 16 at most, zeros left out. */
+inline double* appendTerms(double w, double i, double j, double k, double sign, double* out) {
   const DoubleDouble square = exactProduct(w, w), difference = exactSum(j, -k);
   const DoubleDouble a = exactProduct(i, difference.high), b = exactProduct(i, difference.low);
   const double x[] = {a.high, a.low, b.high, b.low}, y[] = {square.high, square.low};
   for (int n = 0; n < 8; ++n) {
+    if (x[n / 2] == 0 || y[n % 2] == 0) continue;
     const DoubleDouble p = exactProduct(sign * x[n / 2], y[n % 2]);
-    out[2 * n] = p.high;
-    out[2 * n + 1] = p.low;
+    *out++ = p.high;
+    if (p.low != 0) *out++ = p.low;
   }
+  return out;
 }
 
 /** The exponent of the larger one of Ω₁, Ω₃. */
@@ -85,13 +87,16 @@ inline Discriminant<DoubleDouble> discriminant<DoubleDouble>(const Start& start,
   double I[3];
   for (int k = 0; k < 3; ++k) I[k] = __builtin_ldexp(axes.moment(start, k), -moment_exponent);
   const double w1 = __builtin_ldexp(axes.omega(start, 0), -e), w3 = __builtin_ldexp(axes.omega(start, 2), -e);
+  const DoubleDouble third = exactProduct(w3, w3) * ((DoubleDouble(I[2]) - I[1]) * I[2]);
+  const DoubleDouble first = exactProduct(w1, w1) * ((DoubleDouble(I[1]) - I[0]) * I[0]);
+  const DoubleDouble rough = third - first;
+  if (magnitude(rough.high) > 0.125 * (third.high + first.high)) return {rough, e};
   double terms[32];
-  exactTerms(w3, I[2], I[2], I[1], 1, terms);
-  exactTerms(w1, I[0], I[1], I[0], -1, terms + 16);
-  const double size = magnitude(terms[0]) + magnitude(terms[16]);
-  const DoubleDouble sum = exactSumOf(terms, 32);
+  double* end = appendTerms(w3, I[2], I[2], I[1], 1, terms);
+  end = appendTerms(w1, I[0], I[1], I[0], -1, end);
+  const DoubleDouble sum = exactSumOf(terms, static_cast<int>(end - terms));
   // What the sum lost is below 2⁻²⁰⁰ of the terms.
-  if (magnitude(sum.high) > 0x1p-90 * size) return {sum, e};
+  if (magnitude(sum.high) > 0x1p-90 * third.high) return {sum, e};
   const Pair exact = exactDiscriminant(w3, I[2], I[1], I[0], w1);
   return {{exact.high, exact.low}, e};
 }

@@ -67,11 +67,10 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
-  const double q1 = a.high / b.high;
-  const DoubleDouble r1 = a - b * q1;
-  const double q2 = r1.high / b.high;
-  const DoubleDouble r2 = r1 - b * q2;
-  return exactSumOrdered(q1, q2) + DoubleDouble(r2.high / b.high);
+  const double quotient = a.high / b.high;
+  const DoubleDouble p = exactProduct(quotient, b.high);
+  const double rest = ((a.high - p.high) - p.low) + (a.low - quotient * b.low);  // the first difference is exact
+  return exactSumOrdered(quotient, rest / b.high);
 }
 
 inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
@@ -107,17 +106,39 @@ inline DoubleDouble powerOfTwo<DoubleDouble>(int n) {
   return __builtin_ldexp(1.0, n);
 }
 
+/** 1/k!, k = 0 … 17 */
+constexpr DoubleDouble kInverseFactorial[] = {
+    {1, 0},
+    {1, 0},
+    {0.5, 0},
+    {0x1.5555555555555p-3, 0x1.5555555555555p-57},
+    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+    {0x1.1111111111111p-7, 0x1.1111111111111p-63},
+    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
+    {0x1.a01a01a01a01ap-13, 0x1.a01a01a01a01ap-73},
+    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76},
+    {0x1.71de3a556c734p-19, -0x1.c154f8ddc6c00p-73},
+    {0x1.27e4fb7789f5cp-22, 0x1.cbbc05b4fa99ap-76},
+    {0x1.ae64567f544e4p-26, -0x1.c062e06d1f209p-80},
+    {0x1.1eed8eff8d898p-29, -0x1.2aec959e14c06p-83},
+    {0x1.6124613a86d09p-33, 0x1.f28e0cc748ebep-87},
+    {0x1.93974a8c07c9dp-37, 0x1.05d6f8a2efd1fp-92},
+    {0x1.ae7f3e733b81fp-41, 0x1.1d8656b0ee8cbp-97},
+    {0x1.ae7f3e733b81fp-45, 0x1.1d8656b0ee8cbp-101},
+    {0x1.952c77030ad4ap-49, 0x1.ac981465ddc6cp-103},
+};
+
 /** eᵃ, relative error a few 2⁻¹⁰⁴ (|a| + 1); 0 below −700. */
 inline DoubleDouble exp(const DoubleDouble& a) {
   constexpr DoubleDouble kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
-  constexpr int kHalvings = 8;
+  constexpr int kHalvings = 8, kTerms = 10;
   if (a.high < -700) return 0.0;
   const double n = __builtin_rint(a.high / kLn2.high);
   const DoubleDouble r = scaled(a - kLn2 * n, 1.0 / (1 << kHalvings));  // |r| < 0.0014
   // eʳ − 1 by Taylor, then (1 + x)² − 1 = 2x + x²: nothing cancels.
-  DoubleDouble x = 0.0;
-  for (int k = 10; k > 1; --k) x = (x + 1.0) * r / double(k);
-  x = (x + 1.0) * r;
+  DoubleDouble x = kInverseFactorial[kTerms];
+  for (int k = kTerms - 1; k > 0; --k) x = x * r + kInverseFactorial[k];
+  x = x * r;
   for (int k = 0; k < kHalvings; ++k) x = scaled(x, 2) + x * x;
   return scaled(x + 1.0, __builtin_ldexp(1.0, static_cast<int>(n)));
 }
@@ -136,9 +157,9 @@ inline DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
   // sin of guess/32 by Taylor, then the double angle five times, in s = sin and v = 1 − cos.
   const double r = guess / (1 << kHalvings);  // ≤ 0.05
   const DoubleDouble r2 = exactProduct(r, r);
-  DoubleDouble series = 0.0;
-  for (int k = 17; k > 1; k -= 2) series = (series + 1.0) * r2 / double(-k * (k - 1));
-  DoubleDouble s = (series + 1.0) * r;
+  DoubleDouble series = kInverseFactorial[17];
+  for (int k = 15; k > 0; k -= 2) series = kInverseFactorial[k] - series * r2;
+  DoubleDouble s = series * r;
   DoubleDouble v = s * s / (sqrt(1.0 - s * s) + 1.0);
   for (int k = 0; k < kHalvings; ++k) {
     const DoubleDouble square = s * s;

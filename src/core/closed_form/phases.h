@@ -30,7 +30,7 @@ inline Phases phasesAt(const Constants& c, const DoubleDouble& t) {
 }
 
 inline double scaledTime(const Constants& c, double t) {
-  return (t * c.time_scale[0]) * c.time_scale[1];
+  return t * c.time_scale;
 }
 
 /** rate·t + start without the final sums: the series take a phase of any size in two parts. */

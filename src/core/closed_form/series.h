@@ -11,7 +11,7 @@ constexpr double kPi = 3.141592653589793238462643;
 /** Below this nome the hyperbolic series need fewer terms. */
 constexpr double kShortNome = 3e-5;
 
-/** Stands for smaller numbers in sums with 1, so that no power of it underflows: that would be slow. */
+/** Added to numbers whose powers are added to 1, so that no power underflows: that would be slow. */
 constexpr double kSmallest = 1e-40;
 
 /** Attitude w, x, y, z; and along the internal axes Ω over its amplitudes: cn, sn, dn. */
@@ -49,11 +49,11 @@ POINSOT_INLINE Evaluation assemble(const Constants& c, double cn, double sn, dou
   const double norm = __builtin_sqrt(square);
   const double inverse = 1.0 / (norm * denominator);
   const double a = inverse * denominator, b = inverse * norm;
-  const double ar = a * er, ai = a * ei;
-  const double v0 = ar * w, v1 = mulAdd(ar, m2, ai * m1), v2 = mulAdd(ai, m2, -(ar * m1)), v3 = ai * w;
+  const double v0 = er * w, v1 = mulAdd(er, m2, ei * m1), v2 = mulAdd(ei, m2, -(er * m1)), v3 = ei * w;
   Evaluation out;
   for (int i = 0; i < 4; ++i) {
-    out.attitude[i] = mulAdd(c.frame[i][0], v0, c.frame[i][1] * v1) + mulAdd(c.frame[i][2], v2, c.frame[i][3] * v3);
+    out.attitude[i] =
+        a * (mulAdd(c.frame[i][0], v0, c.frame[i][1] * v1) + mulAdd(c.frame[i][2], v2, c.frame[i][3] * v3));
   }
   out.omega[0] = b * cn;
   out.omega[1] = b * sn;
@@ -127,7 +127,7 @@ template <bool kShort>
 POINSOT_INLINE Evaluation hyperbolic(const Constants& c, const Decays& decays, double side, double parity,
                                      SinCos turn) {
   const double E = decays.E, H = decays.H;
-  const double F = E > kSmallest ? E : kSmallest, K = H > kSmallest ? H : kSmallest;
+  const double F = E + kSmallest, K = H + kSmallest;
   const double E2 = F * F, H2 = K * K, E4 = E2 * E2, H4 = H2 * H2;
   const double* q = c.nome;
   const double E_factor = decays.E_complement * (1.0 + E), H_factor = decays.H_complement * (1.0 + H);

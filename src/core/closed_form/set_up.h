@@ -42,8 +42,8 @@ void normalisedAttitude(const Start& start, Real out[4]) {
     out[i] = exactly<Real>(start.attitude[i], -e);
     sum = sum + out[i] * out[i];
   }
-  const Real norm = sqrt(sum);
-  for (int i = 0; i < 4; ++i) out[i] = out[i] / norm;
+  const Real inverse = Real(1.0) / sqrt(sum);
+  for (int i = 0; i < 4; ++i) out[i] = out[i] * inverse;
 }
 
 /** Rest, a sphere, a spin about a principal axis or across two equal moments: Euler's Ω̇ = 0, decided exactly. */
@@ -174,8 +174,9 @@ void setFrame(const Start& start, const InternalAxes& axes, Constants& c) {
   const Evaluation first = evaluate(c, splitPhase(c.start.half), splitPhase(c.start.turn));
   Real q0[4], inverse[4], product[4], norm = 0.0;
   for (int i = 0; i < 4; ++i) norm = norm + Real(first.attitude[i]) * Real(first.attitude[i]);
-  inverse[0] = Real(first.attitude[0]) / norm;
-  for (int k = 0; k < 3; ++k) inverse[1 + axes.from[k]] = Real(-axes.sign[k] * first.attitude[1 + k]) / norm;
+  const Real factor = Real(1.0) / norm;
+  inverse[0] = factor * first.attitude[0];
+  for (int k = 0; k < 3; ++k) inverse[1 + axes.from[k]] = factor * (-axes.sign[k] * first.attitude[1 + k]);
   normalisedAttitude(start, q0);
   multiply(q0, inverse, product);
   double p[4];
@@ -303,9 +304,13 @@ Rates<Real> setUp(const Start& start, Constants& c) {
     omega = magnitude(start.omega[i]) > omega ? magnitude(start.omega[i]) : omega;
     moment = start.moments[i] > moment ? start.moments[i] : moment;
   }
-  const int omega_exponent = omega == 0 ? 0 : exponentOf(omega), moment_exponent = exponentOf(moment);
-  c.time_scale[0] = __builtin_ldexp(1.0, omega_exponent / 2);
-  c.time_scale[1] = __builtin_ldexp(1.0, omega_exponent - omega_exponent / 2);
+  // Cut off where 2^e would leave the range of doubles: the scaled Ω is then somewhat far from 1.
+  constexpr int kMostExponent = 1000;
+  int omega_exponent = omega == 0 ? 0 : exponentOf(omega);
+  if (omega_exponent > kMostExponent) omega_exponent = kMostExponent;
+  if (omega_exponent < -kMostExponent) omega_exponent = -kMostExponent;
+  const int moment_exponent = exponentOf(moment);
+  c.time_scale = __builtin_ldexp(1.0, omega_exponent);
   const Rates<Real> rates = isSteady(start) ? setUpSteady<Real>(start, omega_exponent, c)
                                             : setUpMoving<Real>(start, omega_exponent, moment_exponent, c);
   c.rate.half = asPair(rates.half);

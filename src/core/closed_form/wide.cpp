@@ -23,7 +23,7 @@ class Motion {
     Constants unused;
     rates_ = setUp<Wide>(start, unused);
   }
-  Wide scaledTime(double t) const { return Wide(t) * Wide(constants_.time_scale[0]) * Wide(constants_.time_scale[1]); }
+  Wide scaledTime(double t) const { return Wide(t) * constants_.time_scale; }
   Phases phasesAt(const Wide& time) const {
     const Wide half = rates_.half_start + rates_.half * time;
     return {constants_.kind == Constants::Kind::separatrix ? clamped(half) : wrapped(half, 2),
@@ -80,9 +80,11 @@ void sampleWide(const Start& start, const Constants& constants, double t0, doubl
 }
 
 Pair exactDiscriminant(double w3, double i3, double i2, double i1, double w1) {
-  using wide::Wide;
-  return wide::asPair(
-      Wide(Wide(w3) * w3 * (Wide(i3) * (Wide(i3) - i2)) - Wide(w1) * w1 * (Wide(i1) * (Wide(i2) - i1))));
+  // Exact: of an ordinary start each of the two terms has at most 2·53 + 53 + (53 + 60 + 1) bits.
+  using Exact = wide::mp::number<wide::mp::cpp_bin_float<448, wide::mp::digit_base_2>, wide::mp::et_off>;
+  const Exact value = Exact(w3) * w3 * (Exact(i3) * (Exact(i3) - i2)) - Exact(w1) * w1 * (Exact(i1) * (Exact(i2) - i1));
+  const double high = value.convert_to<double>();
+  return {high, Exact(value - high).convert_to<double>()};
 }
 
 }  // namespace poinsot::closed_form
