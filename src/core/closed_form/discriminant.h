@@ -22,7 +22,7 @@ struct Discriminant {
 
   /** From the root of a quantity in `value`'s scale to one in which Ω is scaled by 2^−omega_exponent. */
   Real unscaled(const Real& root, int omega_exponent) const {
-    return root * powerOfTwo<Real>(exponent - omega_exponent);
+    return root * Number<Real>::powerOfTwo(exponent - omega_exponent);
   }
 };
 
@@ -75,8 +75,8 @@ template <class Real>
 Discriminant<Real> discriminant(const Start& start, const InternalAxes& axes, int moment_exponent) {
   const int e = outerExponent(start, axes);
   Real I[3];
-  for (int k = 0; k < 3; ++k) I[k] = exactly<Real>(axes.moment(start, k), -moment_exponent);
-  const Real w1 = exactly<Real>(axes.omega(start, 0), -e), w3 = exactly<Real>(axes.omega(start, 2), -e);
+  for (int k = 0; k < 3; ++k) I[k] = Number<Real>::exactly(axes.moment(start, k), -moment_exponent);
+  const Real w1 = Number<Real>::exactly(axes.omega(start, 0), -e), w3 = Number<Real>::exactly(axes.omega(start, 2), -e);
   return {w3 * w3 * (I[2] * (I[2] - I[1])) - w1 * w1 * (I[0] * (I[1] - I[0])), e};
 }
 

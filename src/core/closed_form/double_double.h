@@ -99,13 +99,6 @@ inline DoubleDouble scaled(const DoubleDouble& a, double power) {
   return {a.high * power, a.low * power};
 }
 
-template <class Real>
-Real powerOfTwo(int n);
-template <>
-inline DoubleDouble powerOfTwo<DoubleDouble>(int n) {
-  return __builtin_ldexp(1.0, n);
-}
-
 /** 1/k!, k = 0 … 17 */
 constexpr DoubleDouble kInverseFactorial[] = {
     {1, 0},
@@ -184,28 +177,17 @@ inline Pair asPair(const DoubleDouble& a) {
   return {a.high, a.low};
 }
 
-/** x·2ⁿ, exactly as long as that is a double. */
+/** What else the set-up asks of its type of number. */
 template <class Real>
-Real exactly(double x, int n);
-template <>
-inline DoubleDouble exactly<DoubleDouble>(double x, int n) {
-  return __builtin_ldexp(x, n);
-}
+struct Number;
 
-/** π, from the first digits. */
-template <class Real>
-Real pi();
 template <>
-inline DoubleDouble pi<DoubleDouble>() {
-  return {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-}
-
-/** Bits that count. */
-template <class Real>
-constexpr int precision();
-template <>
-constexpr int precision<DoubleDouble>() {
-  return 106;
-}
+struct Number<DoubleDouble> {
+  static constexpr int kPrecision = 106;  ///< bits that count
+  static DoubleDouble pi() { return {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}; }
+  static DoubleDouble powerOfTwo(int n) { return __builtin_ldexp(1.0, n); }
+  /** x·2ⁿ, exactly as long as that is a double. */
+  static DoubleDouble exactly(double x, int n) { return __builtin_ldexp(x, n); }
+};
 
 }  // namespace poinsot::closed_form::POINSOT_SIMD_LEVEL

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "double_double.h"
+
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
@@ -28,7 +30,7 @@ template <class Real>
 Landen<Real> landen(Real b, Real square) {
   Real a = 1.0;
   // The transformation converges quadratically: what is left of |a − b| = 2^(−p/2) a is below the precision.
-  const Real enough = powerOfTwo<Real>(-precision<Real>() / 2 - 2);
+  const Real enough = Number<Real>::powerOfTwo(-Number<Real>::kPrecision / 2 - 2);
   for (bool last = false; !last;) {
     last = !(abs(a - b) > enough * a);
     const Real product = a * b;

@@ -39,7 +39,7 @@ void normalisedAttitude(const Start& start, Real out[4]) {
   const int e = exponentOf(largest);
   Real sum = 0.0;
   for (int i = 0; i < 4; ++i) {
-    out[i] = exactly<Real>(start.attitude[i], -e);
+    out[i] = Number<Real>::exactly(start.attitude[i], -e);
     sum = sum + out[i] * out[i];
   }
   const Real inverse = Real(1.0) / sqrt(sum);
@@ -61,7 +61,7 @@ Rates<Real> setUpSteady(const Start& start, int omega_exponent, Constants& c) {
   Real w[3], sum = 0.0;
   int spins = 0;
   for (int i = 0; i < 3; ++i) {
-    w[i] = exactly<Real>(start.omega[i], -omega_exponent);
+    w[i] = Number<Real>::exactly(start.omega[i], -omega_exponent);
     sum = sum + w[i] * w[i];
     if (start.omega[i] != 0) {
       c.encircled = static_cast<std::int8_t>(i);
@@ -87,7 +87,7 @@ Rates<Real> setUpSteady(const Start& start, int omega_exponent, Constants& c) {
                  b = start.moments[(axis_of_spin + 2) % 3];
     if ((a < own && own < b) || (b < own && own < a)) c.complementary_modulus = 0;
   }
-  return {Real(0.0), rate / (pi<Real>() * 4.0), Real(0.0)};
+  return {Real(0.0), rate / (Number<Real>::pi() * 4.0), Real(0.0)};
 }
 
 /** θ functions and Z in y = cos 2α, nome q; e2 = exp(2η), η = πy/2K. Returns d(arg Z)/dα at α = 0. */
@@ -124,7 +124,7 @@ Real trigonometricSeries(const Real& nome, const Real& e2, Constants& c) {
       even_part[n] = sign * toDouble(cosh);
       odd_part[n] = -sign * toDouble(sinh);
     }
-    if (!(cosh > powerOfTwo<Real>(-precision<Real>() - 4))) break;
+    if (!(cosh > Number<Real>::powerOfTwo(-Number<Real>::kPrecision - 4))) break;
     growth = growth * grow;
     decay = decay * fall;
   }
@@ -159,7 +159,7 @@ Real hyperbolicSeries(const Real& nome, const Real& cos_half, const Real& sin_ha
     slope = slope + weight * sine * (n + 0.5);
     weight = weight * factor;
     factor = factor * nome;
-    if (n >= 3 && !(weight > powerOfTwo<Real>(-precision<Real>() - 4))) break;
+    if (n >= 3 && !(weight > Number<Real>::powerOfTwo(-Number<Real>::kPrecision - 4))) break;
     const Real next = cosine * cos_whole - sine * sin_whole;
     sine = sine * cos_whole + cosine * sin_whole;
     cosine = next;
@@ -199,8 +199,8 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
 
   Real I[3], M[3];
   for (int k = 0; k < 3; ++k) {
-    I[k] = exactly<Real>(axes.moment(start, k), -moment_exponent);
-    M[k] = I[k] * exactly<Real>(axes.omega(start, k), -omega_exponent);
+    I[k] = Number<Real>::exactly(axes.moment(start, k), -moment_exponent);
+    M[k] = I[k] * Number<Real>::exactly(axes.omega(start, k), -omega_exponent);
   }
   const Real zero = 0.0, one = 1.0;
   const Real i21 = I[1] - I[0], i32 = I[2] - I[1], i31 = I[2] - I[0];
@@ -220,7 +220,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
   const Real drift = a_squared / ((G + C) * I[0]) + C / I[2];  // ψ̇ at u = 0
 
   // cot² of the amplitude at the start: beyond 1/roundoff⁴ an angle of 0 will do.
-  const Real far = powerOfTwo<Real>(2 * precision<Real>() + 8);
+  const Real far = Number<Real>::powerOfTwo(2 * Number<Real>::kPrecision + 8);
   const bool begins_at_zero = M[1] == zero || !(abs(M[0]) < abs(M[1]) * far);
   const Real ratio = begins_at_zero ? one : M[0] / M[1];
   const Real square = begins_at_zero ? far : ratio * ratio / r < far ? ratio * ratio / r : far;
@@ -233,7 +233,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
   c.kind = Constants::Kind::periodic;
   c.encircled = static_cast<std::int8_t>(axes.from[2]);
   c.symmetric = i21 == zero;
-  const Real negligible = powerOfTwo<Real>(-precision<Real>());
+  const Real negligible = Number<Real>::powerOfTwo(-Number<Real>::kPrecision);
   if (k1 == zero) {
     c.kind = Constants::Kind::separatrix;
     c.encircled = -1;
@@ -247,28 +247,28 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
     phase_slope = hyperbolicSeries(zero, across.cosHalf(), across.sinHalf(), c);
   } else {
     const Landen<Real> along = landen<Real>(k1, square);
-    rates.half = p * along.mean / pi<Real>();
-    rates.half_start = along.angle * side / pi<Real>();
+    rates.half = p * along.mean / Number<Real>::pi();
+    rates.half_start = along.angle * side / Number<Real>::pi();
     if (!(k_squared > negligible)) {
       phase_slope = zero;  // a circle: Z = 1
     } else {
       const Landen<Real> across = landen<Real>(sqrt(k_squared), s / r);
-      const Real span = pi<Real>() * across.mean / along.mean;
+      const Real span = Number<Real>::pi() * across.mean / along.mean;
       if (span > Real(6.13)) {  // q > 0.2
         c.series = Constants::Series::hyperbolic;
         c.span = toDouble(span);
-        c.z_turn = toDouble(across.angle / pi<Real>()) / 2;
+        c.z_turn = toDouble(across.angle / Number<Real>::pi()) / 2;
         phase_slope = across.mean * hyperbolicSeries(exp(-span), across.cosHalf(), across.sinHalf(), c) -
-                      across.angle * along.mean / pi<Real>();
+                      across.angle * along.mean / Number<Real>::pi();
         c.root_nome = toDouble(exp(scaled(-span, 0.5)));
       } else {
         const Real inverse = along.mean / across.mean;
-        phase_slope =
-            along.mean * trigonometricSeries(exp(-pi<Real>() * inverse), exp(scaled(across.angle * inverse, 2)), c);
+        phase_slope = along.mean * trigonometricSeries(exp(-Number<Real>::pi() * inverse),
+                                                       exp(scaled(across.angle * inverse, 2)), c);
       }
     }
   }
-  rates.turn = (drift + scaled(p * phase_slope, 2)) / (pi<Real>() * 4.0);
+  rates.turn = (drift + scaled(p * phase_slope, 2)) / (Number<Real>::pi() * 4.0);
 
   if (c.series == Constants::Series::hyperbolic) {
     const double* q = c.nome;

@@ -1,5 +1,6 @@
 #include "wide.h"
 
+#include <algorithm>
 #include <cmath>
 
 // wide_number.h comes first: the templates of the others must see its functions.
@@ -12,34 +13,55 @@
 namespace poinsot::closed_form {
 namespace wide {
 
+// Phases are some 110 bits below a turn and as many bits above as it takes: up to 2¹⁰²⁴ s times 2¹⁰²⁴ rad/s.
+constexpr int kMostBits = 2304;
+// Almost all of those that are asked for are far smaller, and ten times cheaper.
+constexpr int kFewBits = 512;
+constexpr double kFewBitsReach = 0x1p380;  // turns
+
 /** phase mod period */
-Pair wrapped(const Wide& phase, double period) {
-  return asPair(Wide(phase - period * round(phase / period)));
+template <class Real>
+Pair wrapped(const Real& phase, double period) {
+  return asPair(Real(phase - period * round(phase / period)));
 }
 
+template <class Real>
+Pair clamped(const Real& phase) {
+  if (phase > kFarAlong) return {kFarAlong, 0};
+  if (phase < -kFarAlong) return {-kFarAlong, 0};
+  return asPair(phase);
+}
+
+template <class Real>
 class Motion {
  public:
   Motion(const Start& start, const Constants& constants) : constants_(constants) {
     Constants unused;
-    rates_ = setUp<Wide>(start, unused);
+    rates_ = setUp<Real>(start, unused);
   }
-  Wide scaledTime(double t) const { return Wide(t) * constants_.time_scale; }
-  Phases phasesAt(const Wide& time) const {
-    const Wide half = rates_.half_start + rates_.half * time;
+
+  /** At t0 + j·dt. */
+  Phases phasesAt(double t0, double dt, long j) const {
+    const Real time = (Real(t0) + Real(dt) * j) * constants_.time_scale;
+    const Real half = rates_.half_start + rates_.half * time;
     return {constants_.kind == Constants::Kind::separatrix ? clamped(half) : wrapped(half, 2),
-            wrapped(rates_.turn * time, 1)};
+            wrapped(Real(rates_.turn * time), 1)};
   }
 
  private:
-  static Pair clamped(const Wide& phase) {
-    if (phase > kFarAlong) return {kFarAlong, 0};
-    if (phase < -kFarAlong) return {-kFarAlong, 0};
-    return asPair(phase);
-  }
-
   const Constants& constants_;
-  Rates<Wide> rates_;
+  Rates<Real> rates_;
 };
+
+/** Calls action(motion) with a Motion whose numbers are wide enough for times up to `reach` [s]. */
+template <class Action>
+void withMotion(const Start& start, const Constants& constants, double reach, const Action& action) {
+  if (isOrdinary(start) && reach * constants.time_scale < constants.reach * (kFewBitsReach / kMostTurns)) {
+    action(Motion<Wide<kFewBits>>(start, constants));
+  } else {
+    action(Motion<Wide<kMostBits>>(start, constants));
+  }
+}
 
 }  // namespace wide
 
@@ -59,32 +81,31 @@ bool isOrdinary(const Start& start) {
 }
 
 void setUpWide(const Start& start, Constants& constants) {
-  wide::setUp<wide::Wide>(start, constants);
+  wide::setUp<wide::Wide<wide::kMostBits>>(start, constants);
 }
 
 void phasesWide(const Start& start, const Constants& constants, double t, Phases& out) {
-  const wide::Motion motion(start, constants);
-  out = motion.phasesAt(motion.scaledTime(t));
+  wide::withMotion(start, constants, std::abs(t), [&](const auto& motion) { out = motion.phasesAt(t, 0, 0); });
 }
 
 void sampleWide(const Start& start, const Constants& constants, double t0, double dt, long n,
                 double* const columns[7]) {
-  const wide::Motion motion(start, constants);
-  const wide::Wide begin = motion.scaledTime(t0), step = motion.scaledTime(dt);
-  for (long j = 0; j < n; ++j) {
-    double attitude[4], omega[3];
-    bestLevel().at_phases(constants, motion.phasesAt(wide::Wide(begin + step * j)), attitude, omega);
-    for (int i = 0; i < 4; ++i) columns[i][j] = attitude[(i + 3) % 4];
-    for (int i = 0; i < 3; ++i) columns[4 + i][j] = omega[i];
-  }
+  const double reach = std::abs(t0) + std::abs(dt) * static_cast<double>(n);
+  wide::withMotion(start, constants, reach, [&](const auto& motion) {
+    for (long j = 0; j < n; ++j) {
+      double attitude[4], omega[3];
+      bestLevel().at_phases(constants, motion.phasesAt(t0, dt, j), attitude, omega);
+      for (int i = 0; i < 4; ++i) columns[i][j] = attitude[(i + 3) % 4];
+      for (int i = 0; i < 3; ++i) columns[4 + i][j] = omega[i];
+    }
+  });
 }
 
 Pair exactDiscriminant(double w3, double i3, double i2, double i1, double w1) {
   // Exact: of an ordinary start each of the two terms has at most 2·53 + 53 + (53 + 60 + 1) bits.
-  using Exact = wide::mp::number<wide::mp::cpp_bin_float<448, wide::mp::digit_base_2>, wide::mp::et_off>;
-  const Exact value = Exact(w3) * w3 * (Exact(i3) * (Exact(i3) - i2)) - Exact(w1) * w1 * (Exact(i1) * (Exact(i2) - i1));
-  const double high = value.convert_to<double>();
-  return {high, Exact(value - high).convert_to<double>()};
+  using Exact = wide::Wide<448>;
+  return wide::asPair(
+      Exact(Exact(w3) * w3 * (Exact(i3) * (Exact(i3) - i2)) - Exact(w1) * w1 * (Exact(i1) * (Exact(i2) - i1))));
 }
 
 }  // namespace poinsot::closed_form

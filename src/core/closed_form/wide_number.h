@@ -7,44 +7,41 @@
 
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
-namespace mp = boost::multiprecision;
+/** What set_up.h asks of a number, with as many bits as one likes and an exponent of 30 bits. Allocates nothing. */
+template <int kBits>
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<kBits, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 
-constexpr int kBits = 2304;
-
-/**
- * What set_up.h asks of a number, with an exponent of 30 bits and enough digits for any phase: up to 2¹⁰²⁴ s times
- * 2¹⁰²⁴ rad/s, with some 110 bits below a turn.
- */
-using Wide = mp::number<mp::cpp_bin_float<kBits, mp::digit_base_2>, mp::et_off>;
-
-inline Wide scaled(const Wide& a, double power) {
+template <class Float, boost::multiprecision::expression_template_option kOption>
+boost::multiprecision::number<Float, kOption> scaled(const boost::multiprecision::number<Float, kOption>& a,
+                                                     double power) {
   return a * power;
 }
-template <>
-inline Wide powerOfTwo<Wide>(int n) {
-  return ldexp(Wide(1), n);
+
+template <class Float, boost::multiprecision::expression_template_option kOption>
+double toDouble(const boost::multiprecision::number<Float, kOption>& a) {
+  return a.template convert_to<double>();
 }
-inline double toDouble(const Wide& a) {
-  return a.convert_to<double>();
+
+template <class Float, boost::multiprecision::expression_template_option kOption>
+double toDouble(const boost::multiprecision::number<Float, kOption>& a, int n) {
+  return toDouble(boost::multiprecision::number<Float, kOption>(ldexp(a, n)));
 }
-inline double toDouble(const Wide& a, int n) {
-  return ldexp(a, n).convert_to<double>();
-}
-inline Pair asPair(const Wide& a) {
+
+template <class Float, boost::multiprecision::expression_template_option kOption>
+Pair asPair(const boost::multiprecision::number<Float, kOption>& a) {
   const double high = toDouble(a);
-  return {high, toDouble(Wide(a - high))};
+  return {high, toDouble(boost::multiprecision::number<Float, kOption>(a - high))};
 }
-template <>
-inline Wide exactly<Wide>(double x, int n) {
-  return ldexp(Wide(x), n);
-}
-template <>
-inline Wide pi<Wide>() {
-  return boost::math::constants::pi<Wide>();
-}
-template <>
-constexpr int precision<Wide>() {
-  return kBits;
-}
+
+template <class Float, boost::multiprecision::expression_template_option kOption>
+struct Number<boost::multiprecision::number<Float, kOption>> {
+  using Real = boost::multiprecision::number<Float, kOption>;
+  static constexpr int kPrecision = std::numeric_limits<Real>::digits;
+  static Real pi() { return boost::math::constants::pi<Real>(); }
+  static Real powerOfTwo(int n) { return ldexp(Real(1), n); }
+  static Real exactly(double x, int n) { return ldexp(Real(x), n); }
+};
 
 }  // namespace poinsot::closed_form::POINSOT_SIMD_LEVEL
