@@ -60,7 +60,7 @@ class Grid {
     if (c_.series == Constants::Series::trigonometric) {
       const SplitPhase half = splitPhase(wrapped(half_step, 2)), turn = splitPhase(wrapped(turn_step, 1));
       if (c_.delicate) {
-        runExactly<false>(half, turn);
+        runExactly<false, true>(half, turn);
       } else {
         runTrigonometric(half, turn);
       }
@@ -68,14 +68,19 @@ class Grid {
     }
     // A quarter period should be several blocks, and a block should not be much of the range of exponents.
     const double advance = magnitude(half_step.high) * kBlock;
-    if (!c_.delicate && advance < 0.125 && advance * c_.span < 100) {
+    if (advance < 0.125 && advance * c_.span < 100) {
       if (c_.nome[1] < kShortNome) {
         runSmoothly<true>(half_step, turn_step);
       } else {
         runSmoothly<false>(half_step, turn_step);
       }
     } else if (c_.wraps != 0) {
-      runExactly<true>(splitPhase(wrapped(half_step, 2)), splitPhase(wrapped(turn_step, 1)));
+      const SplitPhase half = splitPhase(wrapped(half_step, 2)), turn = splitPhase(wrapped(turn_step, 1));
+      if (c_.nome[1] < kShortNome) {
+        runExactly<true, true>(half, turn);
+      } else {
+        runExactly<true, false>(half, turn);
+      }
     } else {
       // This phase does not wrap: multiples of a long step would not be exact.
       for (long j = 0; j < n_; ++j) runSingly(j);
@@ -117,6 +122,7 @@ class Grid {
     const DoubleDouble z_turn = c_.z_turn;
     const Table turns(splitPhase(wrapped(turn_step + half_step * z_turn, 1)), size());
     const ExponentialTable exponents(c_.span * magnitude(half_step.high), size());
+    const SplitPhase step = splitPhase(asPair(half_step));
     const double speed = half_step.high;
     Block block;
     for (long first = 0; first < n_;) {
@@ -134,9 +140,19 @@ class Grid {
       const SinCos turn = turnBy(splitPhase(base.turn), c_.z_turn * place.d);
       const double* e_factor = inwards ? exponents.growth : exponents.decay;
       const double* h_factor = inwards ? exponents.decay : exponents.growth;
-      for (int k = 0; k < padded; ++k) {
-        const double E = start.E * e_factor[k], H = start.H * h_factor[k];
-        block.keep(k, hyperbolic<kShort>(c_, {E, 1.0 - E, H, 1.0 - H}, side, place.parity, turn * turns.turn(k)));
+      const double nearest_end = inwards ? magnitude(place.d) : magnitude(place.d) + count * magnitude(speed);
+      if (c_.delicate && c_.span * (0.5 - nearest_end) < 0.5) {
+        for (int k = 0; k < padded; ++k) {
+          const double grid = mulAdd(turns.index[k], step.grid, place.grid);
+          const double rest = mulAdd(turns.index[k], step.rest, place.rest);
+          const Decays exact = decays(c_, {grid, rest, grid + rest, side, place.parity});
+          block.keep(k, hyperbolic<kShort>(c_, exact, side, place.parity, turn * turns.turn(k)));
+        }
+      } else {
+        for (int k = 0; k < padded; ++k) {
+          const double E = start.E * e_factor[k], H = start.H * h_factor[k];
+          block.keep(k, hyperbolic<kShort>(c_, {E, 1.0 - E, H, 1.0 - H}, side, place.parity, turn * turns.turn(k)));
+        }
       }
       write(block, first, count);
       first += count;
@@ -144,7 +160,7 @@ class Grid {
   }
 
   /** Every phase of Ω by itself. */
-  template <bool kHyperbolic>
+  template <bool kHyperbolic, bool kShort>
   void runExactly(SplitPhase half_step, SplitPhase turn_step) {
     const Table turns(turn_step, size());
     Block block;
@@ -159,8 +175,8 @@ class Grid {
         const SinCos turn = start * turns.turn(k);
         if (kHyperbolic) {
           const HyperbolicPlace place = hyperbolicPlace(c_, v);
-          block.keep(k, hyperbolic<false>(c_, decays(c_, place), place.side, place.parity,
-                                          turn * sinCosSmall(2.0 * kPi * (c_.z_turn * place.d))));
+          block.keep(k, hyperbolic<kShort>(c_, decays(c_, place), place.side, place.parity,
+                                           turn * sinCosSmall(2.0 * kPi * (c_.z_turn * place.d))));
         } else {
           block.keep(k, trigonometric(c_, amplitude(v), turn));
         }
