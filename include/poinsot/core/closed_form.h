@@ -21,7 +21,10 @@ constexpr const char* kClosedForm = "closed_form";
  * carried in twice the precision of double. One path serves every body and start; see doc/closed_form.md for the
  * limits of it (steady spins, equal moments, the separatrix), which are recognised exactly.
  *
- * All axes here are the principal ones. A ClosedForm never changes; several threads may ask the same one.
+ * All axes here are the principal ones. A ClosedForm never changes; several threads may ask the same one. Nothing here
+ * allocates, but for a few constants of Boost's, once in a process, made by the first start or time that is out of
+ * double-double's reach: components of Ω or moments many orders of magnitude apart (2⁴⁸⁰, 2⁶⁰), or more than 2⁴⁴ turns.
+ * Those cost a millisecond to some 20 ms each; all others microseconds (set-up) or nanoseconds.
  */
 class ClosedForm {
  public:
@@ -37,7 +40,7 @@ class ClosedForm {
    * @param moments principal moments [kg·m²], positive and finite, in any order, physical or not.
    * @param attitude at t = 0, principal axes → world; of any length but zero, normalised exactly.
    * @param omega_body at t = 0 [rad/s], principal axes, finite.
-   * Throws std::invalid_argument for anything else. Allocates nothing.
+   * Throws std::invalid_argument for anything else.
    */
   ClosedForm(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude, const Eigen::Vector3d& omega_body);
 

@@ -51,7 +51,8 @@ struct Constants {
   // Amplitudes of cn, sn, dn as the series give them (theta constants included), along the internal axes.
   double momentum[3] = {0, 0, 1};  ///< of M/|L|
   int from[3] = {0, 1, 2};         ///< Ω's component i is that along internal axis from[i] …
-  double omega[3] = {0, 0, 0};     ///< … times this [rad/s]
+  double omega[3] = {0, 0, 0};     ///< … times this …
+  double omega_unit = 1;           ///< … times this [rad/s]
   double frame[4][4] = {};         ///< attitude (w, x, y, z) = frame · (internal quaternion)
 
   double complementary_modulus = 1;  ///< k'

@@ -128,8 +128,8 @@ class Grid {
     for (long first = 0; first < n_;) {
       const Phases base = phasesAt(c_, timeOf(first));
       const HyperbolicPlace place = hyperbolicPlace(c_, splitPhase(base.half));
-      const bool inwards = place.d * speed < 0;                 // |x| falls
-      const double side = (speed < 0) == inwards ? 1.0 : -1.0;  // also at d = 0
+      const bool inwards = place.d * speed < 0;  // |x| falls
+      const double side = place.d != 0 ? place.side : speed < 0 ? -1.0 : 1.0;
       const double way = inwards ? magnitude(place.d) : c_.wraps != 0 ? 0.5 - magnitude(place.d) : kFarAlong;
       const double steps = way / magnitude(speed);
       const long room = n_ - first;
@@ -188,9 +188,9 @@ class Grid {
   void write(const Block& block, long first, int n) const {
     for (int i = 0; i < 4; ++i) __builtin_memcpy(columns_[i] + first, block.attitude[i], n * sizeof(double));
     for (int i = 0; i < 3; ++i) {
-      const double amplitude = c_.omega[i], *source = block.omega[c_.from[i]];
+      const double amplitude = c_.omega[i], unit = c_.omega_unit, *source = block.omega[c_.from[i]];
       double* out = columns_[4 + i] + first;
-      for (int k = 0; k < n; ++k) out[k] = amplitude * source[k];
+      for (int k = 0; k < n; ++k) out[k] = unit * (amplitude * source[k]);
     }
   }
 

@@ -18,7 +18,7 @@ inline void store(const Constants& c, const Evaluation& e, double* attitude, dou
   attitude[1] = e.attitude[2];
   attitude[2] = e.attitude[3];
   attitude[3] = e.attitude[0];
-  for (int i = 0; i < 3; ++i) omega[i] = c.omega[i] * e.omega[c.from[i]];
+  for (int i = 0; i < 3; ++i) omega[i] = c.omega_unit * (c.omega[i] * e.omega[c.from[i]]);
 }
 
 bool at(const Constants& c, double t, double* attitude, double* omega) {

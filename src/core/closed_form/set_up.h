@@ -14,6 +14,8 @@
 // unlimited exponent.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
+constexpr double kLargest = 0x1.fffffffffffffp1023;
+
 /** Phases of more turns than this leave too few bits of a double-double below a turn. */
 constexpr double kMostTurns = 0x1p44;
 
@@ -288,7 +290,17 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
   for (int k = 0; k < 3; ++k) {
     c.momentum[k] = toDouble(amplitude[k] / G) * theta_ratio[k];
     c.from[axes.from[k]] = k;
-    c.omega[axes.from[k]] = axes.sign[k] * theta_ratio[k] * toDouble(amplitude[k] / I[k], omega_exponent);
+  }
+  // Amplitudes beyond the range of doubles are given in a larger unit, so that 0 times one is 0.
+  for (int unit = 0; unit <= 1000; unit += 1000) {
+    bool finite = true;
+    for (int k = 0; k < 3; ++k) {
+      double omega = toDouble(amplitude[k] / I[k], omega_exponent - unit) * theta_ratio[k];
+      if (omega > kLargest) omega = kLargest, finite = false;
+      c.omega[axes.from[k]] = axes.sign[k] * omega;
+    }
+    c.omega_unit = __builtin_ldexp(1.0, unit);
+    if (finite) break;
   }
   c.complementary_modulus = toDouble(k1);
   c.delicate = magnitude(c.omega[axes.from[0]]) > 4 * magnitude(c.omega[axes.from[1]]);
