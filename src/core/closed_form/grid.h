@@ -66,9 +66,10 @@ class Grid {
       }
       return;
     }
-    // A quarter period should be several blocks, and a block should not be much of the range of exponents.
+    // A quarter period should be several blocks; and as the beginning of one is known to roundoff times |x|, a block
+    // should not carry that from afar to x = 0.
     const double advance = magnitude(half_step.high) * kBlock;
-    if (advance < 0.125 && advance * c_.span < 100) {
+    if (advance < 0.125 && advance * c_.span < 2) {
       if (c_.nome[1] < kShortNome) {
         runSmoothly<true>(half_step, turn_step);
       } else {
