@@ -25,11 +25,16 @@ say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 bad_use() { printf '%s\n' "$*" >&2; exit 2; }
 
-# build_package [TARGET ...]: configures once, then builds (Release unless the build directory says otherwise).
+# build_package [-DOPTION=VALUE ...] [TARGET ...]: configures once, then builds (Release unless the build directory or an
+# option says otherwise).
 build_package() {
-  local log=$build/build.log
+  local log=$build/build.log options=()
+  while [[ ${1:-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
   mkdir -p "$build"
-  if ! { cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
+  if ! { cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${options[@]}" &&
          cmake --build "$build" --parallel "$(nproc)" --target "${@:-all}"; } > "$log" 2>&1; then
     grep -nE -A4 'error|Error' "$log" | head -60 >&2 || true
     tail -n 20 "$log" >&2

@@ -142,6 +142,31 @@ void judgeDamping(const Evidence& evidence, const std::vector<Segment>& segments
   checks.push_back(judge.verdict());
 }
 
+/** How far from the closed form the messages say they are: nowhere further than the method allows; NaN says nothing. */
+void judgeAttitudeError(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
+  Judge judge("attitude_error", evidence.body.key, "rad");
+  for (const Segment& segment : segments) {
+    const Inertia inertia(segment.description->tensor);
+    const MethodBounds bounds(*segment.description);
+    for (const State* s : segment.states) {
+      const double at = seconds(s->stamp), error = s->attitude_error;
+      if (std::isnan(error)) {
+        judge.compare(bounds.exact() ? 1 : 0, 0, at,
+                      [] { return "attitude_error is NaN under the closed form itself"; });
+      } else if (error < 0) {
+        judge.compare(-error, 0, at, [] { return "attitude_error is an angle, and negative"; });
+      } else {
+        const double allowed = bounds.attitude(inertia, s->omega_body, s->time);
+        judge.compare(error, allowed, at, [&] {
+          return text("attitude_error says %.3g rad at t = %.6g s, more than method %s allows (%.3g)", error, s->time,
+                      bounds.method().c_str(), allowed);
+        });
+      }
+    }
+  }
+  checks.push_back(judge.verdict());
+}
+
 void judgeDriftFields(const Evidence& evidence, const std::vector<Segment>& segments, std::vector<Check>& checks) {
   Judge judge("energy_drift and momentum_drift", evidence.body.key);
   for (const Segment& segment : segments) {
@@ -214,6 +239,7 @@ void judgeConservation(const Evidence& evidence, std::vector<Check>& checks) {
   }
   // Place for others: a heavy top's E + mgh and L about the vertical would be asked here.
   judgeDriftFields(evidence, segments, checks);
+  judgeAttitudeError(evidence, segments, checks);
 }
 
 }  // namespace poinsot::audit

@@ -1,5 +1,6 @@
 #include "poinsot/audit/method_bounds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,8 @@ namespace {
 
 // How much an order allows: several times what random bodies show, so that no working method fails.
 constexpr double kNotMeasured = 0.2, kLocal = 0.6;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kSameAttitude = 1e-15;  // rad: of the closed form against itself
 
 struct Row {
   const char* name;
@@ -80,6 +83,14 @@ double MethodBounds::local(const Inertia& inertia, const Eigen::Vector3d& omega_
   const double steps = exact_ ? 0 : kLocal * std::pow(w * step_, order_) * (w * std::abs(duration) + 2 * w * step_);
   // t itself is rounded, and the phase that belongs to it.
   return parting * (roundoff(duration) + 1e-15 * w * std::abs(t) + steps);
+}
+
+double MethodBounds::attitude(const Inertia& inertia, const Eigen::Vector3d& omega_body, double t) const {
+  if (exact_) return kSameAttitude;
+  if (!known_) return kPi;
+  // From the start, where it is exact; an error of the rate, once made, adds up.
+  const double bound = local(inertia, omega_body, t, t) * (1 + inertia.fastestRate(omega_body) * std::abs(t));
+  return std::min(kPi, bound + 4 * kSameAttitude);
 }
 
 }  // namespace poinsot::audit

@@ -63,6 +63,7 @@ State read(const poinsot::BodyState& message) {
   s.kinetic_energy = message.kinetic_energy;
   s.energy_drift = message.energy_drift;
   s.momentum_drift = message.momentum_drift;
+  s.attitude_error = message.attitude_error;
   FlawFinder find(s.flaw);
   find.number(s.time, "time");
   find.number(s.time_rate, "time_rate");

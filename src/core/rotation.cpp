@@ -2,6 +2,11 @@
 
 namespace poinsot {
 
+HalfTurn wideHalfTurn(const Eigen::Vector3d& theta) {
+  const double angle = theta.stableNorm();
+  return {theta / angle, std::cos(0.5 * angle), 2 * std::sin(0.5 * angle)};
+}
+
 Eigen::Vector3d logQuaternion(const Eigen::Quaterniond& q) {
   const double sign = q.w() < 0 ? -1.0 : 1.0;
   const double w = sign * q.w();

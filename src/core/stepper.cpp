@@ -1,31 +1,99 @@
 #include "poinsot/core/stepper.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "poinsot/core/steppers/buss2.h"
 #include "poinsot/core/steppers/lie_euler.h"
+#include "poinsot/core/steppers/restore_momentum.h"
 #include "poinsot/core/steppers/rk4.h"
 
 namespace poinsot {
 namespace {
 
-/** Runs a method's inline step() in a plain loop. */
-template <class Scheme>
+constexpr double kSmall = 1e-100, kLarge = 1e100;  // between them products of two or three stay in range
+
+/** The power of two that brings a size near 1 where it is extreme; 0 where it is not, nor 0, infinite or NaN. */
+int excess(double size) {
+  if ((size >= kSmall && size <= kLarge) || !(size > 0) || !std::isfinite(size)) return 0;
+  return std::ilogb(size);
+}
+
+/** Λ and L by 2ᵏ, which is exact but for denormals. */
+void scale(RotationState& state, int k) {
+  for (auto* vector : {&state.momentum_body, &state.momentum_rest, &state.kept_momentum}) {
+    *vector = vector->unaryExpr([k](double value) { return std::ldexp(value, k); });
+  }
+}
+
+/** The L to be kept is that of the start, or the one that the caller has made of it since. */
+void findKeptMomentum(RotationState& state) {
+  const Eigen::Vector3d kept = state.kept_momentum;
+  state.keepMomentum();
+  if ((state.kept_momentum - kept).squaredNorm() <= 1e-26 * kept.squaredNorm()) {
+    state.kept_momentum = kept;
+    state.kept_inverse_square = kept.isZero(0) ? 0 : 1 / kept.squaredNorm();
+  }
+}
+
+/**
+ * Runs a method's inline step() in a plain loop. The method sees moments and momenta of an ordinary size: extreme ones
+ * are scaled by powers of two, and the step with them, which changes no digit of the result. Where it keeps L, rounding
+ * is kept from moving it.
+ */
+template <class Scheme, bool keeps_momentum>
 class BatchStepper final : public Stepper {
  public:
-  explicit BatchStepper(const Eigen::Vector3d& moments) : scheme_(moments) {}
+  explicit BatchStepper(const Eigen::Vector3d& moments)
+      : moments_scale_(excess(moments.maxCoeff())),
+        scheme_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })) {}
 
   void advance(RotationState& state, double step, std::int64_t count) const override {
-    RotationState s = state;
-    for (std::int64_t i = 0; i < count; ++i) scheme_.step(s, step);
-    state = s;
+    const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
+    if (momentum_scale == 0 && moments_scale_ == 0) {
+      run(state, step, count);
+    } else {
+      scale(state, -momentum_scale);
+      run(state, std::ldexp(step, momentum_scale - moments_scale_), count);
+      scale(state, momentum_scale);
+    }
   }
 
  private:
+  void run(RotationState& state, double step, std::int64_t count) const {
+    RotationState s = state;
+    if (!keeps_momentum) {
+      for (std::int64_t i = 0; i < count; ++i) scheme_.step(s, step);
+      state = s;
+      return;
+    }
+    findKeptMomentum(s);
+    while (count > 0) {
+      const int some =
+          static_cast<int>(std::min<std::int64_t>(count, steppers::kStepsBetweenRestorations - s.steps_since_restored));
+      for (int i = 0; i < some; ++i) scheme_.step(s, step);
+      count -= some;
+      s.steps_since_restored += some;
+      if (s.steps_since_restored < steppers::kStepsBetweenRestorations) break;
+      s.steps_since_restored = 0;
+      steppers::restoreMomentum(s);
+    }
+    state = s;
+  }
+
+  int moments_scale_;
   Scheme scheme_;
 };
 
 template <class Scheme>
 std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) {
-  return std::make_unique<BatchStepper<Scheme>>(moments);
+  return std::make_unique<BatchStepper<Scheme, false>>(moments);
+}
+
+/** For those that conserve L. */
+template <class Scheme>
+std::unique_ptr<Stepper> makeKeeping(const Eigen::Vector3d& moments) {
+  return std::make_unique<BatchStepper<Scheme, true>>(moments);
 }
 
 }  // namespace
@@ -33,8 +101,8 @@ std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) {
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
       // name, order, conserves L, conserves E
-      {"lie_euler", 1, true, false, make<steppers::LieEuler>},
-      {"buss2", 2, true, false, make<steppers::Buss2>},
+      {"lie_euler", 1, true, false, makeKeeping<steppers::LieEuler>},
+      {"buss2", 2, true, false, makeKeeping<steppers::Buss2>},
       {"rk4", 4, false, false, make<steppers::Rk4>},
   };
   return table;

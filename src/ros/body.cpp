@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "poinsot/BodyState.h"
 #include "poinsot/core/invariants.h"
@@ -40,13 +41,13 @@ std::string text(const Translation& t) {
 
 }  // namespace
 
-Body::Body(const scene::Body& body, const std::string& frame_prefix, const ros::NodeHandle& handle)
+Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle)
     : name_(body.name),
       frames_(frame_prefix, body.name),
       motion_(scene::motionSetup(body)),
-      picture_(body, frames_),
+      picture_(body, motion_, frames_),
       state_(motion_.at(0)),
-      cost_(motion_) {
+      cost_(motion_, rate) {
   ros::NodeHandle h(handle);
   state_publisher_ = h.advertise<BodyState>(names::topic(name_, names::kState), kQueue);
   odometry_publisher_ = h.advertise<nav_msgs::Odometry>(names::topic(name_, names::kOdometry), kQueue);
@@ -56,7 +57,13 @@ Body::Body(const scene::Body& body, const std::string& frame_prefix, const ros::
 const MotionState& Body::move(const Tick& tick) {
   const double before = state_.time;
   const double begin = threadCpuTime();
-  state_ = motion_.at(tick.time);
+  try {
+    if (tick.time != state_.time) state_ = motion_.at(tick.time);
+  } catch (const std::range_error& error) {
+    std::ostringstream out;
+    out << "body " << name_ << " under " << motion_.setup().method << " at t = " << tick.time << " s: " << error.what();
+    throw std::runtime_error(out.str());
+  }
   const double cpu = threadCpuTime() - begin;
   if (segment_ == tick.segment) {
     cost_.add(cpu, tick.time - before);
@@ -100,7 +107,7 @@ void Body::publish(const Tick& tick) {
     out.kinetic_energy = state_.kinetic_energy;
     out.energy_drift = energy_drift_;
     out.momentum_drift = momentum_drift_;
-    out.attitude_error = std::numeric_limits<double>::quiet_NaN();
+    out.attitude_error = motion_.attitudeError(state_);
     out.cost = cost_.cost();
     state_publisher_.publish(out);
   }
@@ -131,7 +138,7 @@ BodyDescription Body::description() const {
   std::copy(setup.inertia.moments().data(), setup.inertia.moments().data() + 3, out.principal_moments.begin());
   out.principal_axes = toQuaternion(setup.inertia.axes());
   out.method = setup.method;
-  out.step = setup.step;
+  out.step = setup.step.value_or(std::numeric_limits<double>::quiet_NaN());
   out.accuracy = std::numeric_limits<double>::quiet_NaN();
   if (setup.translation) out.effects.push_back(text(*setup.translation));
   out.metres_per_radian_per_second = picture_.scale().metres_per_radian_per_second;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "poinsot/core/stepper.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/palette.h"
 #include "poinsot/ros/shape_markers.h"
-#include "poinsot/scene/motion_setup.h"
 #include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/separatrix.h"
@@ -79,13 +77,13 @@ view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_s
 
 }  // namespace
 
-BodyPicture::BodyPicture(const scene::Body& body, const names::Frames& frames)
+BodyPicture::BodyPicture(const scene::Body& body, Motion motion, const names::Frames& frames)
     : name_(body.name),
       frames_(frames),
-      start_(Motion(scene::motionSetup(body)).at(0)),
+      start_(motion.at(0)),
       inertia_(body.inertia),
       shape_(body.shape ? *body.shape : shapes::equivalentBox(body.inertia.moments(), body.inertia.axes())),
-      momentum_is_constant_(findMethod(body.method)->conserves_momentum),
+      momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
       polhode_(view::polhode(inertia_.moments(), omega_principal_)),
       layout_(view::layoutOf(start_.position, shape_.boundingRadius(), inertia_.moments(), inertia_.axes(), polhode_,

@@ -9,6 +9,7 @@ namespace poinsot::node {
 namespace {
 
 constexpr int kTrialSteps = 2000;
+constexpr int kTrialStates = 100;
 constexpr double kLongestTrial = 1e9;  // s
 constexpr double kRenewAfter = 1.0;    // simulated seconds
 
@@ -20,11 +21,17 @@ double threadCpuTime() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-CostMeter::CostMeter(Motion motion) {
-  const double simulated = std::min(kTrialSteps * motion.setup().step, kLongestTrial);
+CostMeter::CostMeter(Motion motion, double rate) {
+  if (motion.inClosedForm()) {
+    const double begin = threadCpuTime();
+    for (int i = 0; i < kTrialStates; ++i) motion.at(i / rate);
+    cost_ = rate * (threadCpuTime() - begin) / kTrialStates;
+    return;
+  }
+  const double simulated = std::min(kTrialSteps * *motion.setup().step, kLongestTrial);
   const double begin = threadCpuTime();
   motion.at(simulated);
-  cost_ = trial_cost_ = (threadCpuTime() - begin) / simulated;
+  cost_ = stepping_cost_ = (threadCpuTime() - begin) / simulated;
 }
 
 void CostMeter::add(double cpu, double simulated) {

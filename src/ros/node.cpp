@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "poinsot/ros/names.h"
 
@@ -23,6 +24,7 @@ constexpr double kMostSeekSteps = 1e9;
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
 constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
 constexpr double kMostLoad = 0.8;             // of one core, for what a speed may ask of the steppers
+constexpr double kCoarseShare = 0.1;          // of a tick: where doubles lie further apart, t is seen to jump
 
 Pacer::Mode pacing(bool publish_clock) {
   if (publish_clock) return Pacer::Mode::own_clock;
@@ -73,11 +75,12 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   diagnostics_.setHardwareID("none");
   diagnostics_.add("ticks", this, &Node::diagnoseTicks);
   for (const scene::Body& body : parameters.scene.bodies) {
-    bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, handle_));
+    bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, rate_, handle_));
     const Body* added = bodies_.back().get();
     diagnostics_.add("body " + body.name, [added](diagnostic_updater::DiagnosticStatusWrapper& status) {
       const MotionSetup& setup = added->motion().setup();
-      status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%s, step %g s", setup.method.c_str(), setup.step);
+      const std::string step = setup.step ? ", step " + shown(*setup.step) + " s" : "";
+      status.summary(diagnostic_msgs::DiagnosticStatus::OK, setup.method + step);
       status.addf("simulation time [s]", "%.9g", added->state().time);
       status.addf("energy drift", "%.3g", added->energyDrift());
       status.addf("momentum drift", "%.3g", added->momentumDrift());
@@ -85,10 +88,10 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     });
   }
 
-  if (cost() > kMostLoad) {
-    throw ParameterError("this scene costs " + shown(cost()) +
+  if (steppingCost() > kMostLoad) {
+    throw ParameterError("the steps of this scene cost " + shown(steppingCost()) +
                          " CPU s per simulated s here, which cannot be played in real time; at most " +
-                         shown(kMostLoad) + " can: take larger steps");
+                         shown(kMostLoad) + " can: take larger steps, or " + kClosedForm + ", which has none");
   }
 
   services_ = {private_handle_.advertiseService(names::kPause, &Node::onPause, this),
@@ -98,9 +101,9 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
                   private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
 }
 
-double Node::cost() const {
+double Node::steppingCost() const {
   double sum = 0;
-  for (const auto& body : bodies_) sum += body->cost().trialCost();
+  for (const auto& body : bodies_) sum += body->cost().steppingCost();
   return sum;
 }
 
@@ -135,6 +138,11 @@ void Node::tick() {
     clock_.restartStamps();
     publishStatic();
     diagnostics_.force_update();  // which would else wait for the old time to come again
+  } else if (!std::isfinite(clock_.timeAt(now))) {
+    ROS_ERROR("t = %g s at speed %g leaves the range of doubles: paused there, in a new segment", clock_.time(),
+              clock_.speed());
+    clock_.pause(true);
+    clock_.restartStamps();
   } else if (stepsTo(clock_.timeAt(now)) > kMostTickSteps) {
     ROS_WARN_THROTTLE(
         1,
@@ -203,10 +211,24 @@ void Node::publishMarkers(const Tick& tick) {
 }
 
 void Node::takeFinishedSeek() {
-  std::optional<Seeker::Result> result = seeker_.poll();
+  std::optional<Seeker::Result> result;
+  try {
+    result = seeker_.poll();
+  } catch (const std::range_error& error) {
+    ROS_ERROR("seek refused: %s there", error.what());
+  }
   if (!result) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(result->motions[i]));
-  clock_.jumpTo(result->time);
+  jumpTo(result->time);
+}
+
+void Node::jumpTo(double time) {
+  const double spacing = std::nextafter(std::abs(time), HUGE_VAL) - std::abs(time);
+  if (spacing > kCoarseShare / rate_) {
+    ROS_WARN("at t = %g s doubles lie %g s apart: t, and every motion with it, goes on in jumps of that length", time,
+             spacing);
+  }
+  clock_.jumpTo(time);
 }
 
 bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
@@ -244,10 +266,10 @@ void Node::onSpeed(const std_msgs::Float64& message) {
     ROS_ERROR("speed %g refused: a finite number is allowed", message.data);
     return;
   }
-  const double cost = this->cost();
+  const double cost = steppingCost();
   if (cost * std::abs(message.data) > kMostLoad) {
-    ROS_ERROR("speed %g refused: this scene costs %g CPU s per simulated s; up to %.3g is allowed here", message.data,
-              cost, kMostLoad / cost);
+    ROS_ERROR("speed %g refused: the steps of this scene cost %g CPU s per simulated s; up to %.3g is allowed here",
+              message.data, cost, kMostLoad / cost);
     return;
   }
   clock_.setSpeed(message.data);
@@ -266,15 +288,21 @@ void Node::onSeek(const std_msgs::Float64& message) {
     const double steps = body->motion().stepsTo(time);
     if (steps > kMostSeekSteps) {
       ROS_ERROR("seek to %g s refused: body %s under %s would take %.3g steps of %g s; at most %g are allowed", time,
-                body->name().c_str(), setup.method.c_str(), std::isfinite(steps) ? steps : std::abs(time) / setup.step,
-                setup.step, kMostSeekSteps);
+                body->name().c_str(), setup.method.c_str(), std::isfinite(steps) ? steps : std::abs(time) / *setup.step,
+                *setup.step, kMostSeekSteps);
       return;
     }
     total += steps;
   }
   seeker_.cancel();
   if (total <= kBackgroundSeekSteps) {
-    clock_.jumpTo(time);
+    try {
+      for (const auto& body : bodies_) body->motion().at(time);
+    } catch (const std::range_error& error) {
+      ROS_ERROR("seek to %g s refused: %s there", time, error.what());
+      return;
+    }
+    jumpTo(time);
     return;
   }
   ROS_INFO("seek to %g s takes %.3g steps; playing on meanwhile", time, total);

@@ -10,6 +10,7 @@ void Seeker::start(std::vector<Motion> motions, double time) {
   work_ = std::async(std::launch::async, [this, motions = std::move(motions), time]() mutable -> std::optional<Result> {
     for (Motion& motion : motions) {
       if (!motion.prepare(time, cancelled_)) return std::nullopt;
+      motion.at(time);  // throws where there is nothing to publish
     }
     return Result{time, std::move(motions)};
   });
@@ -18,7 +19,8 @@ void Seeker::start(std::vector<Motion> motions, double time) {
 void Seeker::cancel() {
   if (!work_.valid()) return;
   cancelled_ = true;
-  work_.get();
+  work_.wait();
+  work_ = {};  // its result, or what it threw, is of no interest any more
   cancelled_ = false;
 }
 

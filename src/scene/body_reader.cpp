@@ -1,6 +1,5 @@
 #include "body_reader.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "effect_reader.h"
@@ -8,6 +7,7 @@
 #include "inertia_reader.h"
 #include "method_reader.h"
 #include "number.h"
+#include "poinsot/core/motion.h"
 #include "shape_reader.h"
 #include "words.h"
 
@@ -64,10 +64,10 @@ void readAngularVelocity(const Fields& fields, Body& body) {
   const Quantity& quantity = quantity::kAngularVelocity;
   const Place place = fields.require("angular_velocity", allowedNumbers(3, quantity));
   body.omega_body = readVector(place, quantity);
-  const Eigen::Vector3d momentum = body.inertia.tensor() * body.omega_body;
-  if (!std::isfinite(body.omega_body.dot(momentum)) || !std::isfinite(momentum.squaredNorm())) {
-    place.refuse("with this inertia the energy or the squared momentum is not finite",
-                 "3 numbers (rad/s) for which both stay finite");
+  const std::string problem = outOfRange(body.inertia, body.omega_body);
+  if (!problem.empty()) {
+    place.refuse("with this inertia " + problem,
+                 "3 numbers (rad/s), all zero or such that energy and squared momentum are held in full precision");
   }
 }
 
@@ -82,7 +82,7 @@ Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
   readInertiaOrShape(fields, body, warnings);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
   readAngularVelocity(fields, body);
-  readMethod(fields, body);
+  readMethod(fields, body, warnings);
   if (const auto effects = fields.find("effects")) readEffects(*effects, body);
   return body;
 }

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fields.h"
 #include "poinsot/scene/scene.h"
 
 namespace poinsot::scene {
 
-/** The body's method and its step, from the keys `method` and `step`, or the defaults. */
-void readMethod(const Fields& fields, Body& body);
+/**
+ * The body's method and its step, from the keys `method` and `step`; the closed form where there are none. Inertia and
+ * angular velocity are read already: a step that is hopeless for this body is refused, of a doubtful one a warning is
+ * appended.
+ */
+void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warnings);
 
 }  // namespace poinsot::scene

@@ -13,6 +13,7 @@
 
 namespace {
 
+constexpr int kFailed = 1;
 constexpr int kBadUse = 2;
 
 int check(const std::string& file) {
@@ -48,11 +49,14 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "poinsot");
   // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.
   ros::NodeHandle handle, private_handle("~");
+  int code = kBadUse;
   try {
-    poinsot::node::Node(poinsot::node::readParameters(private_handle), handle, private_handle).run();
+    poinsot::node::Node node(poinsot::node::readParameters(private_handle), handle, private_handle);
+    code = kFailed;
+    node.run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
-    return kBadUse;
+    return code;
   }
   return 0;
 }

@@ -5,9 +5,13 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <limits>
+#include <optional>
 
 #include "csv_rows.h"
+#include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
 
 namespace {
@@ -32,7 +36,11 @@ const char kAbout[] =
     "  O01 O02 O03         angular velocity at t = 0, principal axes [rad/s]\n"
     "  t                   time of the state wanted [s], either sign\n"
     "Output columns: id,t,qw,qx,qy,qz,O1,O2,O3 with 17 significant digits, qw >= 0.\n\n"
-    "A stepper takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused.\n"
+    "The closed form takes the numbers for exact and goes to any t at once. Every other method is a stepper: it "
+    "needs\n"
+    "--step S and takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused. Where it does not "
+    "follow\n"
+    "a row's body at that step, stderr says so, and the row comes all the same.\n"
     "Exit status: 0; 1 when a state cannot be computed or written; 2 for bad use or input. Output comes whole or not "
     "at all.";
 
@@ -45,6 +53,7 @@ struct Task {
   long line;
   std::string id;
   Eigen::Vector3d moments;
+  Eigen::Quaterniond given;     ///< the attitude as it stands there, of any length but zero
   Eigen::Quaterniond attitude;  ///< unit
   Eigen::Vector3d omega;
   double t;
@@ -73,7 +82,13 @@ Task readTask(const CsvRow& row) {
     throw CsvError(row.line, error.what());
   }
   if (v[3] == 0 && v[4] == 0 && v[5] == 0 && v[6] == 0) throw CsvError(row.line, "the quaternion is zero");
-  return {row.line, row.cells[0], {v[0], v[1], v[2]}, normalised(v[3], v[4], v[5], v[6]), {v[7], v[8], v[9]}, v[10]};
+  return {row.line,
+          row.cells[0],
+          {v[0], v[1], v[2]},
+          {v[3], v[4], v[5], v[6]},
+          normalised(v[3], v[4], v[5], v[6]),
+          {v[7], v[8], v[9]},
+          v[10]};
 }
 
 /** n = ⌈|t|/S⌉ */
@@ -83,17 +98,42 @@ double stepsFor(const Task& task, double step) {
   return n;
 }
 
-/** Moves the task's attitude and omega to t. */
-void propagate(Task& task, const poinsot::Method& method, double step) {
-  const double n = stepsFor(task, step);
-  if (n == 0) return;
+/** How to get from a start to a time. */
+struct Way {
+  const poinsot::Method* method;  ///< nullptr: the closed form
+  double step;                    ///< longest, of a stepper [s]
+};
+
+void step(Task& task, const Way& way) {
+  const double n = stepsFor(task, way.step);
   auto state = poinsot::RotationState::fromOmega(task.moments, task.attitude, task.omega);
-  method.make(task.moments)->advance(state, task.t / n, static_cast<std::int64_t>(n));
+  way.method->make(task.moments)->advance(state, task.t / n, static_cast<std::int64_t>(n));
   task.attitude = state.attitude;
   task.omega = state.omegaBody(task.moments);
+}
+
+void evaluate(Task& task) {
+  const auto state = poinsot::ClosedForm(task.moments, task.given, task.omega).at(task.t);
+  task.attitude = state.attitude;
+  task.omega = state.omega_body;
+}
+
+/** Moves the task's attitude and omega to t. */
+void propagate(Task& task, const Way& way) {
+  if (task.t == 0) return;
+  way.method ? step(task, way) : evaluate(task);
   if (!task.attitude.coeffs().allFinite() || !task.omega.allFinite()) {
     throw NoResult("line " + std::to_string(task.line) + ": the state became infinite or undefined");
   }
+}
+
+/** What stderr is told of a row whose steps are too long for its body; empty when they are not. */
+std::string warning(const Task& task, const Way& way) {
+  if (!way.method || task.t == 0) return "";
+  const double step = task.t / stepsFor(task, way.step);
+  const poinsot::StepJudgement judgement = poinsot::judgeStep(*way.method, task.moments, task.omega, step);
+  if (judgement.grade != poinsot::StepJudgement::Grade::hopeless) return "";
+  return "propagate: line " + std::to_string(task.line) + ": do not trust this row: " + judgement.reason + "\n";
 }
 
 void print(const Task& task, std::string& out) {
@@ -116,24 +156,40 @@ double readStep(const std::string& text) {
   return step;
 }
 
-std::string run(const std::string& method_name, const std::string& step_text) {
-  const poinsot::Method* method = poinsot::findMethod(method_name);
-  if (!method) {
-    throw std::invalid_argument("there is no method \"" + method_name + "\"; there is " + poinsot::methodNames());
-  }
-  if (step_text.empty()) throw std::invalid_argument("method " + method_name + " needs --step");
-  const double step = readStep(step_text);
+std::string allMethodNames() {
+  return poinsot::kClosedForm + (", " + poinsot::methodNames());
+}
 
+Way readWay(const std::string& method_name, const std::optional<std::string>& step) {
+  if (method_name == poinsot::kClosedForm) {
+    if (step)
+      throw std::invalid_argument("--step is for steppers (" + poinsot::methodNames() + "); closed_form takes none");
+    return {nullptr, std::numeric_limits<double>::infinity()};
+  }
+  const poinsot::Method* method = poinsot::findMethod(method_name);
+  if (!method) throw std::invalid_argument("there is no method \"" + method_name + "\"; there is " + allMethodNames());
+  if (!step) throw std::invalid_argument("method " + method_name + " needs --step");
+  return {method, readStep(*step)};
+}
+
+struct Output {
+  std::string table, warnings;
+};
+
+Output run(const Way& way) {
   std::cin.peek();
   if (std::ferror(stdin)) throw std::invalid_argument(std::string("cannot read the input: ") + std::strerror(errno));
   std::vector<Task> tasks;
   for (const CsvRow& row : poinsot::tools::readCsvRows(std::cin, kColumns)) tasks.push_back(readTask(row));
-  for (const Task& task : tasks) stepsFor(task, step);  // refuses before the long work begins
+  if (way.method) {
+    for (const Task& task : tasks) stepsFor(task, way.step);  // refuses before the long work begins
+  }
 
-  std::string out = "id,t,qw,qx,qy,qz,O1,O2,O3\n";
+  Output out{"id,t,qw,qx,qy,qz,O1,O2,O3\n", ""};
   for (Task& task : tasks) {
-    propagate(task, *method, step);
-    print(task, out);
+    out.warnings += warning(task, way);
+    propagate(task, way);
+    print(task, out.table);
   }
   return out;
 }
@@ -147,9 +203,9 @@ int fail(int code, const std::string& reason) {
 
 int main(int argc, char** argv) {
   CLI::App app(kAbout, "propagate");
-  std::string method = "closed_form", step;
-  app.add_option("--method", method, "One of " + poinsot::methodNames() + "; closed_form is not in this version")
-      ->capture_default_str();
+  std::string method = poinsot::kClosedForm;
+  std::optional<std::string> step;
+  app.add_option("--method", method, "One of " + allMethodNames())->capture_default_str();
   app.add_option("--step", step, "Longest step of a stepper [s], positive");
   try {
     app.parse(argc, argv);
@@ -157,15 +213,17 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kBadInput;
   }
 
-  std::string out;
+  Output out;
   try {
-    out = run(method, step);
+    out = run(readWay(method, step));
   } catch (const NoResult& error) {
     return fail(kNo, error.what());
   } catch (const std::exception& error) {
     return fail(kBadInput, error.what());
   }
-  if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0) {
+  std::fputs(out.warnings.c_str(), stderr);
+  const std::string& table = out.table;
+  if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size() || std::fflush(stdout) != 0) {
     return fail(kNo, std::string("cannot write the output: ") + std::strerror(errno));
   }
   return 0;

@@ -187,7 +187,7 @@ Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& 
     state.kinetic_energy = e;
     state.energy_drift = e0 > 0 ? (e - e0) / e0 : 0;
     state.momentum_drift = e0 > 0 ? (l - l0).norm() / l0.norm() : 0;
-    state.attitude_error = NAN;
+    state.attitude_error = s.attitude_error;
     states.push_back(state);
 
     nav_msgs::Odometry odom;

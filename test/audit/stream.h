@@ -42,7 +42,7 @@ struct BodySetup {
   Eigen::Vector3d moments{1, 2, 3};
   Eigen::Quaterniond axes = Eigen::Quaterniond::Identity();
   std::string method = "rk4";
-  double step = 1e-4, scale = 0.5;
+  double step = 1e-4, scale = 0.5, attitude_error = 0;
   std::vector<std::string> effects;
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), acceleration = Eigen::Vector3d::Zero();
 

@@ -415,6 +415,43 @@ TEST(Wrong, DriftField) {
   expectFailures(stream.judged(), {kDriftFields}, "momentum_drift says 1e-06");
 }
 
+TEST(Correct, AttitudeErrorOfAStepper) {
+  Stream stream = asymmetric(steadily(60));
+  for (auto& state : stream.states) state.attitude_error = NAN;  // the node may have nothing to compare with
+  expectPass(stream.judged());
+  BodySetup setup;
+  setup.method = "lie_euler";
+  setup.step = 1e-5;
+  const Truth exact = anyBody(setup.tensor(), kTilted, kOmega);
+  Stream stepped(setup, lieEuler(setup.moments, kTilted, kOmega, setup.step), steadily(120));
+  for (auto& state : stepped.states) {
+    state.attitude_error = audit::angleBetween(audit::quaternionOf(state.attitude), exact(state.time).attitude);
+  }
+  EXPECT_GT(stepped.states.back().attitude_error, 1e-6);
+  expectPass(stepped.judged());
+  EXPECT_EQ(stepped.judged().find("attitude_error")->count, 120);
+}
+
+TEST(Wrong, AttitudeError) {
+  const auto spoilt = [](const char* method, double error) {
+    BodySetup setup;
+    setup.moments = {2, 2, 3};
+    setup.method = method;
+    Stream stream(setup, symmetricTop(2, 3, kTilted, kOmega), steadily(60));
+    stream.states[20].attitude_error = error;
+    return stream.judged();
+  };
+  expectPass(spoilt("closed_form", 0));
+  expectPass(spoilt("rk4", 1e-13));
+  expectFailures(spoilt("closed_form", 1e-14), {"attitude_error"},
+                 "says 1e-14 rad at t = 0\\.333333 s, more than method");
+  expectFailures(spoilt("closed_form", NAN), {"attitude_error"}, "NaN under the closed form itself");
+  expectFailures(spoilt("rk4", 1e-6), {"attitude_error"}, "more than method rk4 allows");
+  expectFailures(spoilt("rk4", -1e-15), {"attitude_error"}, "negative");
+  expectFailures(spoilt("rk4", INFINITY), {"attitude_error"}, "says inf rad");
+  expectFailures(spoilt("unheard_of", 3.2), {"attitude_error"}, "more than method unheard_of allows \\(3\\.14\\)");
+}
+
 TEST(Wrong, PointOfTheModelShifted) {
   Stream stream = asymmetric(steadily(60));
   for (auto& message : stream.markers) message.markers[1].pose.position.x += 1e-6;

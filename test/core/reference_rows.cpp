@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -28,11 +29,10 @@ class Row {
     if (values_.size() != columns_.size()) throw std::runtime_error("row of another length: " + values_[0]);
   }
   const std::string& text(const std::string& name) const { return values_.at(columns_.at(name)); }
-  double number(const std::string& name) const {
-    char* end = nullptr;
-    const double value = std::strtod(text(name).c_str(), &end);
-    if (text(name).empty() || *end) throw std::runtime_error(values_[0] + ": " + name + " is not a number");
-    return value;
+  double number(const std::string& name) const { return parsed(name, std::strtod); }
+  long double longNumber(const std::string& name) const { return parsed(name, std::strtold); }
+  double numberOrNaN(const std::string& name) const {
+    return text(name).empty() ? std::numeric_limits<double>::quiet_NaN() : number(name);
   }
   /** The input of that name, which stands there twice. */
   double input(const std::string& name) const {
@@ -42,6 +42,14 @@ class Row {
   }
 
  private:
+  template <class Number>
+  Number parsed(const std::string& name, Number (*parse)(const char*, char**)) const {
+    char* end = nullptr;
+    const Number value = parse(text(name).c_str(), &end);
+    if (text(name).empty() || *end) throw std::runtime_error(values_[0] + ": " + name + " is not a number");
+    return value;
+  }
+
   const std::map<std::string, std::size_t>& columns_;
   std::vector<std::string> values_;
 };
@@ -62,14 +70,17 @@ std::vector<ReferenceRow> readReferenceRows(const std::string& path) {
     }
     const Row row(columns, values);
     rows.push_back({row.text("id"),
+                    row.text("note"),
                     {row.input("mu1"), row.input("mu2"), row.input("mu3")},
                     {row.input("q0w"), row.input("q0x"), row.input("q0y"), row.input("q0z")},
                     {row.input("O01"), row.input("O02"), row.input("O03")},
                     row.input("t"),
                     {row.number("qw"), row.number("qx"), row.number("qy"), row.number("qz")},
                     {row.number("O1"), row.number("O2"), row.number("O3")},
-                    row.number("cond_rad"),
-                    row.number("cond_omega")});
+                    {row.longNumber("qw"), row.longNumber("qx"), row.longNumber("qy"), row.longNumber("qz")},
+                    {row.longNumber("O1"), row.longNumber("O2"), row.longNumber("O3")},
+                    row.numberOrNaN("cond_rad"),
+                    row.numberOrNaN("cond_omega")});
   }
   return rows;
 }

@@ -159,6 +159,40 @@ TEST(Motion, timesBeyondTheGridAreRefused) {
   EXPECT_THROW(motion.at(std::numeric_limits<double>::quiet_NaN()), std::out_of_range);
 }
 
+TEST(Motion, aStateThatIsNotFiniteIsNoState) {
+  // |Ω|h = 1000: the classical Runge–Kutta method blows up.
+  MotionSetup wild = wingnut("rk4", 10);
+  wild.omega_body = {60, 70, 40};
+  Motion motion(wild);
+  EXPECT_NO_THROW(motion.at(0));
+  EXPECT_THROW(motion.at(1e4), std::range_error);
+  EXPECT_NO_THROW(motion.at(0));
+
+  MotionSetup thrown = wingnut();
+  thrown.translation = Translation{{0, 0, 0}, {0, 0, 1e308}, {0, 0, 0}};
+  EXPECT_THROW(Motion(thrown).at(20), std::range_error);
+}
+
+TEST(Motion, startsWhoseEnergyDoublesDoNotHoldAreRefused) {
+  const auto start = [](const Vector3d& moments, const Vector3d& omega) {
+    MotionSetup setup;
+    setup.inertia = PrincipalInertia::fromMoments(moments);
+    setup.omega_body = omega;
+    return setup;
+  };
+  for (const double size : {1e-150, 1e-10, 1e10, 1e150}) EXPECT_NO_THROW(Motion(start({1, 2, 3}, {0, size, size})));
+  EXPECT_NO_THROW(Motion(start({1e-5, 1e-5, 1e-5}, {0, 0, 0})));  // rest
+  for (const double size : {1e-155, 1e-200, 5e-324, 1e155, 1e308}) {
+    EXPECT_THROW(Motion(start({1, 2, 3}, {0, size, 0})), std::invalid_argument) << size;
+  }
+  // E fits, |L|² does not, and the other way round.
+  EXPECT_THROW(Motion(start({1e-200, 1e-200, 1e-200}, {1, 0, 0})), std::invalid_argument);
+  EXPECT_THROW(Motion(start({1e200, 1e200, 1e200}, {1e20, 0, 0})), std::invalid_argument);
+  EXPECT_THROW(Motion(start({1e200, 1e200, 1e200}, {0, 1e-300, 0})), std::invalid_argument);
+  EXPECT_EQ(outOfRange(PrincipalInertia::fromMoments({1, 2, 3}), {0, 1e-200, 0}),
+            "the kinetic energy is too small for double precision (below 2.3e-308)");
+}
+
 TEST(Motion, badSetupsAreRefused) {
   const auto refused = [](const auto& spoil) {
     MotionSetup setup = wingnut();
@@ -166,6 +200,8 @@ TEST(Motion, badSetupsAreRefused) {
     EXPECT_THROW(Motion{setup}, std::invalid_argument);
   };
   refused([](MotionSetup& s) { s.method = "euler"; });
+  refused([](MotionSetup& s) { s.method = kClosedForm; });  // which takes no step
+  refused([](MotionSetup& s) { s.step.reset(); });          // which a stepper needs
   refused([](MotionSetup& s) { s.step = 0; });
   refused([](MotionSetup& s) { s.step = -1; });
   refused([](MotionSetup& s) { s.step = std::numeric_limits<double>::infinity(); });

@@ -36,12 +36,21 @@ MUTATIONS = [
      "body->appendTransforms(tick->stamp + ros::Duration(0.01), transforms_);",
      r"no tf at the stamp of a state"),
     ("L turning slowly", "src/core/motion.cpp",
-     "MotionState Motion::describe(double t, const RotationState& principal) const {",
-     "MotionState Motion::describe(double t, const RotationState& given) const {\n"
+     "MotionState Motion::describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const {",
+     "MotionState Motion::describe(double t, const RotationState& given, const Eigen::Vector3d& omega) const {\n"
      "  const RotationState principal{\n"
      "      Eigen::Quaterniond(Eigen::AngleAxisd(1e-4 * t, Eigen::Vector3d::UnitX())) * given.attitude,\n"
      "      given.momentum_body};",
      r"L .*(turn|direction|drift)"),
+    ("the body turns about L the wrong way", "src/core/closed_form/set_up.h",
+     "rates.turn = (drift + scaled(p * phase_slope, 2))", "rates.turn = -(drift + scaled(p * phase_slope, 2))",
+     r"^FAIL.*dR/dstamp"),
+    ("a flip without its change of sign", "src/core/closed_form/series.h",
+     "mulAdd(-2.0, mulAdd(-2.0, nearest(0.5 * n - 0.25), n), 1.0)};", "1.0};",
+     r"^FAIL.*Euler's equations"),
+    ("the error of a stepper claimed for the closed form", "src/core/motion.cpp",
+     "if (!grid_) return 0;", "if (!grid_) return 1e-12;",
+     r"attitude_error says 1e-12 rad"),
     ("time_rate off by 1 %", "src/ros/body.cpp",
      "out.time_rate = tick.time_rate;", "out.time_rate = 1.01 * tick.time_rate;",
      r"^FAIL.*time advances by time_rate"),

@@ -17,6 +17,7 @@ from tf2_msgs.msg import TFMessage  # noqa: E402
 from visualization_msgs.msg import MarkerArray  # noqa: E402
 
 import graph  # noqa: E402
+import processes  # noqa: E402
 from poinsot.msg import BodyDescription, BodyState  # noqa: E402
 
 NODE = "/poinsot"
@@ -244,18 +245,38 @@ class ForeignClockTest(unittest.TestCase):
         self.states.next_where(lambda s: s.time_rate == 1)
         self.hold()
 
-    def test_9_a_jump_ahead_is_not_stepped_through(self):
-        # 1e8 s are 1e12 steps: nobody waits for them.
-        before = self.states.last()
+    def jump_ahead(self, states):
+        """The states before and after, and one of half a second later."""
+        before = states.last()
         self.time.set(self.time.now() + 1e8)
-        after = self.states.next_where(lambda s: (s.header.stamp - before.header.stamp).to_sec() > 1e7)
-        self.assertEqual(after.segment, before.segment + 1)
-        self.assertEqual(after.time, before.time, "t goes on from where it was")
+        after = states.next_where(lambda s: (s.header.stamp - before.header.stamp).to_sec() > 1e7)
         self.time.run(1.0)
-        later = self.states.next_where(lambda s: (s.header.stamp - after.header.stamp).to_sec() > 0.5)
+        later = states.next_where(lambda s: (s.header.stamp - after.header.stamp).to_sec() > 0.5)
+        self.hold()
         self.assertEqual(later.segment, after.segment)
         self.assertGreater(later.time, after.time)
+        return before, after
+
+    def test_9_the_closed_form_follows_a_jump_ahead(self):
+        before, after = self.jump_ahead(self.states)
+        self.assertEqual(after.segment, before.segment)
+        expected = (after.header.stamp - before.header.stamp).to_sec()
+        self.assertAlmostEqual(after.time - before.time, expected, delta=1e-6)
+
+    def test_9_a_jump_ahead_is_not_stepped_through(self):
+        # 1e8 s are 1e12 steps: nobody waits for them.
+        scene = processes.package_path("test", "ros", "scenes", "buss2.yaml")
+        node = processes.start_node("/stepper", {"scene_file": scene})
+        self.addCleanup(node.close)
+        self.time.wait_for_listener("/stepper/poinsot")
+        states = graph.Listener("/stepper/top/state", BodyState)
+        self.time.run(1.0)
+        graph.wait_for(states.last, 30, "a state")
         self.hold()
+        before, after = self.jump_ahead(states)
+        self.assertEqual(after.segment, before.segment + 1)
+        self.assertEqual(after.time, before.time, "t goes on from where it was")
+        states.close()
 
     def test_a_diagnostics_outlive_a_jump_back(self):
         diagnostics = graph.Listener("/diagnostics", DiagnosticArray)

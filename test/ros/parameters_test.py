@@ -39,7 +39,14 @@ BAD_SCENES = [
     ("a tensor that is not symmetric", GOOD.replace("[1, 2, 3]", "[[1, 0.5, 0], [0, 2, 0], [0, 0, 3]]"),
      ["inertia", "symmetric"]),
     ("an infinite rate of turning", GOOD.replace("[0.1, 1, 0.1]", "[0.1, .inf, 0.1]"), ["angular_velocity", "finite"]),
-    ("an unknown method", GOOD + "    method: magic\n    step: 0.01\n", ["method", "magic", "buss2", "rk4"]),
+    ("an unknown method", GOOD + "    method: magic\n    step: 0.01\n", ["method", "magic", "closed_form", "buss2", "rk4"]),
+    ("a step without a method", GOOD + "    step: 0.01\n", ["step", "closed_form, takes no step", "rk4"]),
+    ("a step beside the closed form", GOOD + "    method: closed_form\n    step: 0.01\n",
+     ["step", "closed_form takes no step", "rk4"]),
+    ("a stepper without a step", GOOD + "    method: rk4\n", ["method", "step is missing"]),
+    ("a hopeless step", GOOD + "    method: lie_euler\n    step: 5\n",
+     ["top", "lie_euler with a step of 5 s", "|Omega| = 1.0", "a step of at most", "closed_form, which has no step"]),
+    ("an energy that underflows", GOOD.replace("[0.1, 1, 0.1]", "[0, 1e-200, 0]"), ["angular_velocity", "too small"]),
     ("a negative step", GOOD + "    method: rk4\n    step: -0.01\n", ["step", "-0.01", "positive"]),
     ("a zero quaternion", GOOD + "    attitude: [0, 0, 0, 0]\n", ["attitude", "top"]),
     ("an unknown effect", GOOD + "    effects: [{type: wind}]\n", ["wind", "translation"]),
@@ -159,6 +166,15 @@ class ParametersTest(unittest.TestCase):
             self.assertTrue(node.running())
         _, node, _ = self.runs({"scene_file": self.good})
         self.assertNotIn("WARN", node.console)
+
+    def test_a_doubtful_step_is_simulated_with_a_warning(self):
+        path = self.file(GOOD + "    method: lie_euler\n    step: 0.05\n", "doubtful.yaml")
+        _, node, _ = self.runs({"scene_file": path})
+        self.assertTrue(processes.eventually(lambda: "lie_euler with a step of 0.05 s" in node.console), node.console)
+        self.assertIn("WARN", node.console)
+        code, _, err = processes.run([self.node, "--check", path])
+        self.assertEqual(code, 0)
+        self.assertIn("closed_form, which has no step", err)
 
     def test_check(self):
         self.assertEqual(processes.run([self.node, "--check", self.good])[0], 0)

@@ -38,8 +38,8 @@ TEST(Scene, SmallestSceneGetsTheDefaults) {
   EXPECT_FALSE(top.shape);
   EXPECT_EQ(distance(top.attitude, 1, 0, 0, 0), 0);
   EXPECT_EQ(top.omega_body, Eigen::Vector3d(0.5, -1, 2e-3));
-  EXPECT_EQ(top.method, "buss2");
-  EXPECT_EQ(top.step, 1e-4);
+  EXPECT_EQ(top.method, "closed_form");
+  EXPECT_FALSE(top.step);
   EXPECT_FALSE(top.translation);
 }
 
@@ -65,7 +65,7 @@ TEST(Scene, EveryKeyAtOnce) {
   EXPECT_EQ(one.inertia.moments(), Eigen::Vector3d(3, 1, 2));  // the order is kept
   EXPECT_EQ(distance(one.attitude, 0, 0, 1, 0), 0);
   EXPECT_EQ(one.method, "rk4");
-  EXPECT_EQ(one.step, 0.01);
+  EXPECT_EQ(one.step.value(), 0.01);
   ASSERT_TRUE(one.translation);
   EXPECT_EQ(one.translation->position, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(one.translation->velocity, Eigen::Vector3d(4, 5, 6));
@@ -276,11 +276,18 @@ TEST(Attitude, BadOnesAreRefused) {
   expectKeyRefused("attitude: [1, 0, .nan, 0]", ".attitude[2]", {".nan is not finite", "allowed: a finite number"});
 }
 
-TEST(AngularVelocity, IsRequiredAndGivesAFiniteEnergy) {
+TEST(AngularVelocity, IsRequiredAndGivesAnEnergyThatDoublesHold) {
   expectRefused("bodies:\n  - {name: a, inertia: [1, 2, 3]}\n", 2, "bodies[0] \"a\"",
                 {"angular_velocity is missing", "a list of 3 finite numbers (rad/s)"});
   expectKeyRefused("angular_velocity: [0, 1e200, 0]", ".angular_velocity", {"energy", "is not finite", "allowed: "});
   expectRefused(body({"inertia: [1e-300, 1e-300, 1e-300]", "angular_velocity: [0, 1e305, 0]"}), 4,
                 "bodies[0] \"brick\".angular_velocity", {"energy", "is not finite"});
   EXPECT_EQ(readBody({"angular_velocity: [0, 1e100, 0]"}).omega_body.y(), 1e100);
+
+  expectKeyRefused("angular_velocity: [0, 1e-200, 0]", ".angular_velocity",
+                   {"energy is too small for double precision", "allowed: 3 numbers (rad/s), all zero or"});
+  expectRefused(body({"inertia: [1e-200, 1e-200, 1e-200]", "angular_velocity: [0, 1, 0]"}), 4,
+                "bodies[0] \"brick\".angular_velocity", {"squared angular momentum is too small"});
+  EXPECT_EQ(readBody({"angular_velocity: [0, 1e-150, 0]"}).omega_body.y(), 1e-150);
+  EXPECT_EQ(readBody({"angular_velocity: [0, 0, 0]"}).omega_body.y(), 0);
 }

@@ -4,55 +4,119 @@
 using scene_text::body;
 using scene_text::expectKeyRefused;
 using scene_text::expectRefused;
+using scene_text::read;
 using scene_text::readBody;
 
 namespace {
+
 const char* const kEveryName[] = {"closed_form", "lie_euler", "buss2",    "buss3",      "buss4",      "rk4",
                                   "rkmk4",       "cf4",       "midpoint", "splitting2", "splitting4", "splitting6",
                                   "dmv2",        "dmv4",      "dmv6",     "dmv8",       "dmv10",      "stepper"};
+
+std::string allNames() {
+  return "closed_form, " + poinsot::methodNames();
+}
+
+/** expectRefused for the step of a body of these lines, the last of them `step`. */
+void expectStepRefused(const std::vector<std::string>& lines, const std::vector<std::string>& pieces) {
+  const int line = scene_text::kFirstLine + static_cast<int>(lines.size()) - 1;
+  expectRefused(body(lines), line, "bodies[0] \"brick\".step", pieces);
+}
+
+}  // namespace
+
+TEST(Method, TheClosedFormIsTheDefault) {
+  for (const auto& brick : {readBody({}), readBody({"method: closed_form"})}) {
+    EXPECT_EQ(brick.method, "closed_form");
+    EXPECT_FALSE(brick.step);
+  }
 }
 
 TEST(Method, EveryOneOfTheTableIsAllowed) {
   for (const poinsot::Method& method : poinsot::methods()) {
-    const auto brick = readBody({"method: " + std::string(method.name), "step: 0.25"});
+    const auto brick = readBody({"method: " + std::string(method.name), "step: 0.0078125"});
     EXPECT_EQ(brick.method, method.name);
-    EXPECT_EQ(brick.step, 0.25);
+    EXPECT_EQ(brick.step.value(), 0.0078125);
   }
 }
 
 TEST(Method, NamesOfOtherVersionsAreToldFromUnknownOnes) {
-  int later = 0;
+  std::size_t later = 0;
   for (const std::string name : kEveryName) {
-    if (poinsot::findMethod(name)) continue;
+    if (name == "closed_form" || poinsot::findMethod(name)) continue;
     ++later;
-    expectKeyRefused("method: " + name, ".method",
-                     {name + " is not in this version", "allowed: " + poinsot::methodNames()});
+    expectKeyRefused("method: " + name, ".method", {name + " is not in this version", "allowed: " + allNames()});
   }
-  EXPECT_EQ(later + poinsot::methods().size(), std::size(kEveryName));
-  expectKeyRefused("method: euler", ".method", {"euler is unknown;", "allowed: " + poinsot::methodNames()});
+  EXPECT_EQ(1 + later + poinsot::methods().size(), std::size(kEveryName));
+  expectKeyRefused("method: euler", ".method", {"euler is unknown;", "allowed: " + allNames()});
   expectKeyRefused("method: bus2", ".method", {"bus2 is unknown, did you mean \"buss2\"?", "allowed: "});
   expectKeyRefused("method: RK4", ".method", {"RK4 is unknown, did you mean \"rk4\"?", "allowed: "});
-  expectKeyRefused("method: [rk4]", ".method", {"a list of 1 is not a word", "allowed: " + poinsot::methodNames()});
-  expectKeyRefused("method:", ".method", {"null is not a word", "allowed: " + poinsot::methodNames()});
+  expectKeyRefused("method: closed", ".method", {"closed is unknown;", "allowed: "});
+  expectKeyRefused("method: closedform", ".method", {"did you mean \"closed_form\"?", "allowed: "});
+  expectKeyRefused("method: [rk4]", ".method", {"a list of 1 is not a word", "allowed: " + allNames()});
+  expectKeyRefused("method:", ".method", {"null is not a word", "allowed: " + allNames()});
 }
 
-TEST(Method, ANamedOneNeedsAStep) {
+TEST(Method, AStepperNeedsAStep) {
   expectKeyRefused("method: rk4", ".method", {"rk4", "step is missing", "allowed: step, a positive finite number (s)"});
 }
 
-TEST(Method, AStepAloneGoesWithTheDefaultMethod) {
-  const auto brick = readBody({"step: 1e-3"});
-  EXPECT_EQ(brick.method, "buss2");
-  EXPECT_EQ(brick.step, 1e-3);
+TEST(Method, TheClosedFormTakesNoStep) {
+  const std::string allowed = "allowed: no step, or one beside a method that steps: " + poinsot::methodNames();
+  expectStepRefused({"step: 1e-3"}, {"no method is named", "the default, closed_form, takes no step", allowed});
+  expectStepRefused({"method: closed_form", "step: 1e-3"}, {"closed_form takes no step", allowed});
 }
 
 TEST(Method, TheStepIsPositive) {
   const std::string allowed = "allowed: a positive finite number (s)";
-  expectKeyRefused("step: 0", ".step", {"0 is not positive", allowed});
-  expectKeyRefused("step: -1e-3", ".step", {"-1e-3 is not positive", allowed});
-  expectKeyRefused("step: .inf", ".step", {".inf is not finite", allowed});
-  expectKeyRefused("step: auto", ".step", {"auto is not a decimal number", allowed});
-  expectRefused(body({"method: rk4", "step: nan"}), 4, "bodies[0] \"brick\".step", {"nan is not finite", allowed});
+  expectStepRefused({"method: rk4", "step: 0"}, {"0 is not positive", allowed});
+  expectStepRefused({"method: rk4", "step: -1e-3"}, {"-1e-3 is not positive", allowed});
+  expectStepRefused({"method: rk4", "step: .inf"}, {".inf is not finite", allowed});
+  expectStepRefused({"method: rk4", "step: nan"}, {"nan is not finite", allowed});
+  expectStepRefused({"method: rk4", "step: auto"}, {"auto is not a decimal number", allowed});
+}
+
+TEST(Method, AStepAtWhichItDoesNotFollowTheBodyIsRefused) {
+  // 10 rad a step.
+  for (const poinsot::Method& method : poinsot::methods()) {
+    SCOPED_TRACE(method.name);
+    const std::string name = method.name;
+    expectStepRefused({"angular_velocity: [60, 80, 0]", "method: " + name, "step: 0.1"},
+                      {name + " with a step of 0.1 s at |Omega| = 100 rad/s: ", "allowed: a step of at most ",
+                       "or closed_form, which has no step"});
+    EXPECT_TRUE(read(body({"angular_velocity: [60, 80, 0]", "method: " + name, "step: 1e-5"})).warnings.empty());
+    EXPECT_TRUE(read(body({"angular_velocity: [0, 0, 0]", "method: " + name, "step: 0.1"})).warnings.empty());
+  }
+}
+
+TEST(Method, AStepThatIsDoubtfulMakesAWarning) {
+  const scene_text::TemporaryFile file(body({"angular_velocity: [0.6, 0.8, 0]", "method: lie_euler", "step: 0.15"}));
+  const auto scene = poinsot::scene::readFile(file.path());
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  const std::string& warning = scene.warnings[0];
+  EXPECT_EQ(
+      warning.rfind(file.path() + ":5: bodies[0] \"brick\".step: lie_euler with a step of 0.15 s at |Omega| = 1 ", 0),
+      0u)
+      << warning;
+  EXPECT_NE(warning.find("closed_form, which has no step"), std::string::npos) << warning;
+}
+
+TEST(Method, TheSuggestedStepIsGood) {
+  for (const poinsot::Method& method : poinsot::methods()) {
+    const std::string name = method.name;
+    try {
+      read(body({"angular_velocity: [60, 80, 0]", "method: " + name, "step: 0.1"}));
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const poinsot::scene::Error& error) {
+      const std::string what = error.what(), before = "a step of at most ";
+      const std::size_t at = what.find(before);
+      ASSERT_NE(at, std::string::npos) << what;
+      const std::string step =
+          what.substr(at + before.size(), what.find(" s", at + before.size()) - at - before.size());
+      const auto scene = read(body({"angular_velocity: [60, 80, 0]", "method: " + name, "step: " + step}));
+      EXPECT_TRUE(scene.warnings.empty()) << step << ": " << scene.warnings.front();
+    }
+  }
 }
 
 TEST(Method, AccuracyAndHorizonComeLater) {

@@ -37,6 +37,9 @@ expect "demo.sh: scene that does not exist" 2 'there is no scene nosuch; there a
 expect "demo.sh: picture that cannot be written" 2 'cannot write /nowhere/shot.png' "$demo" --screenshot /nowhere/shot.png
 printf 'bodies:\n  - name: b\n    inertia: [1, -2, 3]\n    angular_velocity: [0, 0, 1]\n' > "$work/bad.yaml"
 expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$demo" --headless --scene "$work/bad.yaml"
+printf 'bodies:\n  - name: b\n    inertia: [1, 2, 3]\n    angular_velocity: [0, 0.1, 1]\n    method: rk4\n    step: 5\n' > "$work/hopeless.yaml"
+expect "demo.sh: hopeless step" 2 'hopeless.yaml:6: .*rk4 with a step of 5 s .*allowed: a step of at most .* or closed_form' \
+  "$demo" --headless --scene "$work/hopeless.yaml"
 
 mkdir "$work/bin"
 printf '#!/bin/sh\necho "not the python3 you want" >&2\nexit 42\n' > "$work/bin/python3"

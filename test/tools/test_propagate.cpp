@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "poinsot/core/closed_form.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/stepper.h"
 #include "run_program.h"
@@ -93,11 +94,15 @@ TEST(Propagate, takesEqualStepsThatReachTheTimeExactly) {
 }
 
 TEST(Propagate, timeZeroGivesTheNormalisedInput) {
-  const Outcome outcome = rk4(kHeader + "a,1,2,3,-2,0,4,4,0.1,-0.2,1e-300,0\nb,1,2,3,0,0,0,5,0x1.8p-3,2,3,-0.0\n");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, kOutputHeader +
-                             "a,0,0.33333333333333331,0,-0.66666666666666663,-0.66666666666666663,0.10000000000000001,"
-                             "-0.20000000000000001,1e-300\nb,-0,0,0,0,1,0.1875,2,3\n");
+  for (const char* way : {"", "--method rk4 --step 0.01"}) {
+    const Outcome outcome =
+        propagate(way, kHeader + "a,1,2,3,-2,0,4,4,0.1,-0.2,1e-300,0\nb,1,2,3,0,0,0,5,0x1.8p-3,2,3,-0.0\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              kOutputHeader +
+                  "a,0,0.33333333333333331,0,-0.66666666666666663,-0.66666666666666663,0.10000000000000001,"
+                  "-0.20000000000000001,1e-300\nb,-0,0,0,0,1,0.1875,2,3\n");
+  }
 }
 
 TEST(Propagate, quaternionsOfAnySizeAreNormalised) {
@@ -250,9 +255,11 @@ TEST(Propagate, tooManyStepsAreRefused) {
 
 TEST(Propagate, badUse) {
   const std::string input = kHeader + kRow;
-  expectRefused(propagate("", input), {"closed_form", "lie_euler, buss2, rk4"});
-  expectRefused(propagate("--method closed_form", input), {"closed_form", "lie_euler, buss2, rk4"});
+  expectRefused(propagate("--step 0.1", input), {"--step is for steppers", methodNames(), "closed_form takes none"});
+  expectRefused(propagate("--method closed_form --step 0.1", input), {"--step is for steppers", methodNames()});
+  expectRefused(propagate("--method nonsense", input), {"nonsense", "closed_form, " + methodNames()});
   expectRefused(propagate("--method nonsense --step 0.1", input), {"nonsense", "rk4"});
+  expectRefused(propagate("--method rk4 --step ''", input), {"--step is empty"});
   expectRefused(propagate("--method rk4", input), {"rk4 needs --step"});
   for (const std::string& bad : std::vector<std::string>{"0", "-0.1", "-0", "nan", "inf", "x", "0.1s", "''"}) {
     expectRefused(propagate("--method rk4 --step " + bad, input), {"step"});
@@ -263,6 +270,39 @@ TEST(Propagate, badUse) {
   expectRefused(propagate("--metod rk4 --step 0.1", input), {"--metod"});
   expectRefused(propagate("--method rk4 --step 0.1 file.csv", input), {"file.csv"});
   expectRefused(runProgram(std::string(PROPAGATE) + " --method rk4 --step 0.1 < /", ""), {"cannot read"});
+}
+
+TEST(Propagate, theClosedFormIsTheDefault) {
+  const Outcome outcome = propagate("", kHeader + kRow + rowWith(11, "-1e9"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(propagate("--method closed_form", kHeader + kRow + rowWith(11, "-1e9")).out, outcome.out);
+  const std::vector<OutputRow> rows = parsed(outcome.out);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].t, -1e9);
+  const ClosedForm form({1, 2, 3}, Eigen::Quaterniond::Identity(), {0.01, 1, 0.02});
+  for (const OutputRow& row : rows) {
+    EXPECT_LE(angleBetween(row.attitude, form.at(row.t).attitude), 1e-16);
+    EXPECT_EQ(row.omega, form.at(row.t).omega_body);
+  }
+  EXPECT_LE(angleBetween(rows[0].attitude, parsed(rk4(kHeader + kRow).out).at(0).attitude), 1e-8);
+}
+
+TEST(Propagate, rowsThatAStepperDoesNotFollowAreNamed) {
+  // The second row turns by 100 rad a step.
+  const Outcome outcome = propagate("--method buss2 --step 0.01", kHeader + kRow + rowWith(9, "1e4") + kRow);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(parsed(outcome.out).size(), 3u);
+  EXPECT_NE(outcome.err.find("line 3: do not trust this row: "), std::string::npos) << outcome.err;
+  for (const char* line : {"line 2", "line 4"}) EXPECT_EQ(outcome.err.find(line), std::string::npos) << outcome.err;
+}
+
+TEST(Propagate, anAngularVelocityThatOverflowsIsNoResult) {
+  // E = 1e300 J is finite, but turns a moment of 1e-320 kg·m² faster than doubles can say.
+  const Outcome outcome = propagate("", kHeader + kRow + "b,1e-320,1,2,1,0,0,0,0,1e150,1e150,1\n");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("line 3: "), std::string::npos) << outcome.err;
 }
 
 TEST(Propagate, help) {

@@ -32,7 +32,7 @@ void judgeAgreement(const Evidence& evidence, std::vector<Check>& checks);
 /** From message to message: time, dR/dstamp, Euler's equations, translation. */
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks);
 
-/** What the motion conserves, and the drift fields. */
+/** What the motion conserves, and what the messages say of drift and error themselves. */
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks);
 
 /** Poinsot's construction as drawn. */

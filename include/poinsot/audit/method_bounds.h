@@ -16,6 +16,7 @@ class MethodBounds {
   explicit MethodBounds(const Description& description);
 
   bool known() const { return known_; }
+  bool exact() const { return exact_; }  ///< the closed form
   const std::string& method() const { return method_; }
   double step() const { return step_; }
 
@@ -25,6 +26,9 @@ class MethodBounds {
   double momentum(const Inertia& inertia, const Eigen::Vector3d& omega_body, double t) const;
   /** Of the attitude [rad], and of Ω relative to w, over `duration` of motion ending at t. */
   double local(const Inertia& inertia, const Eigen::Vector3d& omega_body, double duration, double t) const;
+
+  /** Of the attitude of a free body against its true motion [rad], at time t; at most π. */
+  double attitude(const Inertia& inertia, const Eigen::Vector3d& omega_body, double t) const;
 
   /** Relative, of what the method conserves exactly, after the |t|/h steps to t. */
   double roundoff(double t) const;

@@ -52,6 +52,7 @@ struct State {
   Eigen::Quaterniond attitude_as_sent, attitude;  ///< the second normalised
   Eigen::Vector3d position, velocity, omega_body, omega_world, momentum_world;
   double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
+  double attitude_error = 0;  ///< NaN: there is nothing to compare with
   std::string frame_id;
   std::string flaw;  ///< which field is not finite (or a zero quaternion); empty where the message can be used
 };

@@ -14,28 +14,51 @@ inline Eigen::Matrix3d hat(const Eigen::Vector3d& v) {
   return m;
 }
 
+/** exp(θ) in pieces: the unit quaternion (c, ½s·v). */
+struct HalfTurn {
+  Eigen::Vector3d v;  ///< θ; beyond |θ| = 2 the unit vector along it, so that nothing overflows
+  double c;           ///< cos(|θ|/2)
+  double s;           ///< sin(|θ|/2) / (|v|/2)
+};
+
+/** Beyond |θ| = 2, where steppers rarely go. θ that is not finite gives NaN. */
+HalfTurn wideHalfTurn(const Eigen::Vector3d& theta);
+
 /**
- * exp(θ) as a unit quaternion: (cos|θ|/2, sin(|θ|/2)/|θ| · θ).
- * Below |θ| = 1/2 both come from their Taylor series in |θ|²/4, which is where sin(x)/x would be 0/0 and where steppers
- * spend their time. θ finite; |θ|² may underflow, not overflow.
+ * For any finite θ, also where |θ|² leaves the range of doubles.
+ * Up to |θ| = 2 both functions are their Taylor series in z = |θ|²/4, which is where sin(x)/x would be 0/0 and where
+ * steppers spend their time; summed in pairs, so that the processor need not wait for one term after the other.
  */
-inline Eigen::Quaterniond expQuaternion(const Eigen::Vector3d& theta) {
-  const double x2 = 0.25 * theta.squaredNorm();  // (|θ|/2)²
-  double c, s;                                   // cos x and (sin x)/x, x = |θ|/2
-  if (x2 < 0.0625) {
-    // First terms left out: x¹⁴/14! and x¹⁴/15!, below 5e-20.
-    c = 1 + x2 * (-1.0 / 2 + x2 * (1.0 / 24 + x2 * (-1.0 / 720 + x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 +
-                                                                                           x2 * (1.0 / 479001600))))));
-    s = 1 + x2 * (-1.0 / 6 +
-                  x2 * (1.0 / 120 +
-                        x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800))))));
-  } else {
-    const double x = std::sqrt(x2);
-    c = std::cos(x);
-    s = std::sin(x) / x;
+inline HalfTurn halfTurn(const Eigen::Vector3d& theta) {
+  const double z = 0.25 * (theta[0] * theta[0] + theta[1] * theta[1] + theta[2] * theta[2]);
+  const double z2 = z * z, z4 = z2 * z2;
+  // First terms left out, |θ| < 1/2: z⁷/14! and z⁷/15!, below 5e-20.
+  if (z < 0.0625) {
+    return {theta,
+            ((1 - z * (1.0 / 2)) + z2 * (1.0 / 24 - z * (1.0 / 720))) +
+                z4 * ((1.0 / 40320 - z * (1.0 / 3628800)) + z2 * (1.0 / 479001600)),
+            ((1 - z * (1.0 / 6)) + z2 * (1.0 / 120 - z * (1.0 / 5040))) +
+                z4 * ((1.0 / 362880 - z * (1.0 / 39916800)) + z2 * (1.0 / 6227020800))};
   }
-  const double half = 0.5 * s;
-  return {c, half * theta.x(), half * theta.y(), half * theta.z()};
+  // |θ| < 2: z¹⁰/20! and z⁹/19!, below 1e-17. The 1 is added last, so that little is lost to rounding.
+  if (z < 1) {
+    const double z8 = z4 * z4;
+    return {theta,
+            1 + ((z2 * (1.0 / 24 - z * (1.0 / 720)) - z * (1.0 / 2)) +
+                 (z4 * ((1.0 / 40320 - z * (1.0 / 3628800)) + z2 * (1.0 / 479001600 - z * (1.0 / 87178291200))) +
+                  z8 * (1.0 / 20922789888000 - z * (1.0 / 6402373705728000)))),
+            1 + ((z2 * (1.0 / 120 - z * (1.0 / 5040)) - z * (1.0 / 6)) +
+                 (z4 * ((1.0 / 362880 - z * (1.0 / 39916800)) + z2 * (1.0 / 6227020800 - z * (1.0 / 1307674368000))) +
+                  z8 * (1.0 / 355687428096000)))};
+  }
+  return wideHalfTurn(theta);
+}
+
+/** exp(θ) as a unit quaternion: (cos|θ|/2, sin(|θ|/2)/|θ| · θ). θ finite; |θ|² may underflow and overflow. */
+inline Eigen::Quaterniond expQuaternion(const Eigen::Vector3d& theta) {
+  const HalfTurn turn = halfTurn(theta);
+  const double half = 0.5 * turn.s;
+  return {turn.c, half * turn.v.x(), half * turn.v.y(), half * turn.v.z()};
 }
 
 /** The rotation vector of a unit quaternion, |θ| ≤ π; accurate at zero and near π. q and −q give the same. */

@@ -19,13 +19,27 @@ struct RotationState {
   Eigen::Vector4d attitude_rest = Eigen::Vector4d::Zero();  ///< in the order of attitude.coeffs()
   Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();
 
+  // The L that free motion keeps, for methods that undo the drift of it by rounding (see steppers/restore_momentum.h).
+  Eigen::Vector3d kept_momentum = Eigen::Vector3d::Zero();  ///< L in world axes
+  double kept_inverse_square = 0;                           ///< 1/|L|², 0 at rest
+  int steps_since_restored = 0;
+
   static RotationState fromOmega(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
                                  const Eigen::Vector3d& omega_body) {
     RotationState state;
     state.attitude = attitude;
     state.momentum_body = moments.cwiseProduct(omega_body);
+    state.keepMomentum();
     return state;
   }
+
+  /** L = RΛ as it is now becomes the one to keep. Whoever changes L (a torque, an impulse) says so by this. */
+  void keepMomentum() {
+    kept_momentum = momentumWorld();
+    const double square = kept_momentum.squaredNorm();
+    kept_inverse_square = square > 0 ? 1 / square : 0;
+  }
+
   Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }
   Eigen::Vector3d momentumWorld() const { return attitude * momentum_body; }
 };

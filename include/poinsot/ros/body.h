@@ -21,7 +21,8 @@ namespace poinsot::node {
 /** One body of the scene on the ROS graph: its motion, its publishers, its frames. */
 class Body {
  public:
-  Body(const scene::Body& body, const std::string& frame_prefix, const ros::NodeHandle& handle);
+  /** @param rate of the ticks [Hz]. */
+  Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle);
 
   const std::string& name() const { return name_; }
   Motion& motion() { return motion_; }
@@ -35,7 +36,7 @@ class Body {
   /** Takes a motion that was moved ahead elsewhere. */
   void replaceMotion(Motion&& motion) { motion_ = std::move(motion); }
 
-  /** Moves to the tick's time. */
+  /** Moves to the tick's time. Throws std::runtime_error where the motion has no state there that doubles can hold. */
   const MotionState& move(const Tick& tick);
 
   void appendTransforms(const ros::Time& stamp, std::vector<geometry_msgs::TransformStamped>& out) const;

@@ -18,7 +18,8 @@ namespace poinsot::node {
 /** One body's markers: the body itself and the two pictures of Poinsot's construction. */
 class BodyPicture {
  public:
-  BodyPicture(const scene::Body& body, const names::Frames& frames);
+  /** @param motion a copy of that body's. */
+  BodyPicture(const scene::Body& body, Motion motion, const names::Frames& frames);
 
   const view::Layout& layout() const { return layout_; }
   const view::PictureScale& scale() const { return scale_; }

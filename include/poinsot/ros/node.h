@@ -34,18 +34,19 @@ class Node {
   /** Throws ParameterError for a scene that this machine cannot step in real time. */
   Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
 
-  /** Ticks until ROS shuts down. */
+  /** Ticks until ROS shuts down. Throws std::runtime_error when a body has no state that can be published. */
   void run();
 
  private:
   void tick();
-  double cost() const;                ///< of all bodies together [CPU s per simulated s]
+  double steppingCost() const;        ///< of all bodies together [CPU s per simulated s]
   double stepsTo(double time) const;  ///< of all bodies together
   void publishStatic();
   visualization_msgs::MarkerArray staticMarkers() const;
   void resendStaticMarkers();
   void publishMarkers(const Tick& tick);
   void takeFinishedSeek();
+  void jumpTo(double time);
 
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool onStep(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);

@@ -26,7 +26,7 @@ class Seeker {
   void start(std::vector<Motion> motions, double time);
   void cancel();
 
-  /** The result, once, when it is there. */
+  /** The result, once, when it is there. Throws std::range_error, once, where a motion has no state at that time. */
   std::optional<Result> poll();
 
  private:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "poinsot/core/assembly.h"
+#include "poinsot/core/closed_form.h"
 #include "poinsot/core/effects/translation.h"
 #include "poinsot/core/inertia.h"
 
@@ -19,8 +20,8 @@ struct Body {
   std::optional<Assembly> shape;                                 ///< where the scene gives one instead of the inertia
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
-  std::string method;                                            ///< as named, or the default
-  double step = 0;                                               ///< [s], as named, or the default
+  std::string method = kClosedForm;
+  std::optional<double> step;  ///< [s]; every method but the closed form has one
   std::optional<Translation> translation;
 };
 

@@ -15,7 +15,10 @@ class LieEuler {
  public:
   explicit LieEuler(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
-  void step(RotationState& state, double h) const { rotate(state, h * inverse_.cwiseProduct(state.momentum_body)); }
+  void step(RotationState& state, double h) const {
+    const Eigen::Vector3d& p = state.momentum_body;
+    rotate(state, {(h * inverse_[0]) * p[0], (h * inverse_[1]) * p[1], (h * inverse_[2]) * p[2]});
+  }
 
  private:
   Eigen::Vector3d inverse_;

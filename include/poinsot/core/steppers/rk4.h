@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "poinsot/core/compensated_sum.h"
 #include "poinsot/core/rotation_state.h"
 
@@ -12,6 +14,9 @@ namespace poinsot::steppers {
  * Two things keep roundoff below its truncation error for longer: the increments are summed with compensation, and the
  * right-hand side divides by the moments instead of multiplying by rounded inverses, which would be the moments of a
  * slightly different body.
+ *
+ * A polynomial in h: where |Ω|h is beyond its limit of stability, 2.8, Λ grows without bound, until it is infinite or
+ * NaN and so is the attitude. No such state is made to look right; judgeStep() knows beforehand.
  */
 class Rk4 {
  public:
@@ -29,17 +34,25 @@ class Rk4 {
     derivative(q + (0.5 * h) * dq2, p + (0.5 * h) * dp2, dq3, dp3);
     derivative(q + h * dq3, p + h * dp3, dq4, dp4);
     const Eigen::Vector4d increment = (h / 6.0) * (dq1 + 2.0 * (dq2 + dq3) + dq4);
-    // Back to |q| = 1 along q itself, which does not turn it: exactly where a step leaves it, so that any step size
-    // works.
-    const double norm = (q + increment).norm();
-    const Eigen::Vector4d correction = (1.0 / norm - 1.0) * (q + increment);
-    addCompensated<Eigen::Vector4d>(q, state.attitude_rest, increment + correction);
+    moveAttitude(q, state.attitude_rest, increment);
     state.attitude.coeffs() = q;
     addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest,
                                     (h / 6.0) * (dp1 + 2.0 * (dp2 + dp3) + dp4));
   }
 
  private:
+  /** q + increment, brought back to |q| = 1 along itself, which does not turn it. */
+  static void moveAttitude(Eigen::Vector4d& q, Eigen::Vector4d& rest, const Eigen::Vector4d& increment) {
+    const Eigen::Vector4d moved = q + increment;
+    const double norm = moved.norm();
+    if (std::abs(norm - 1) < 0.5) {
+      addCompensated<Eigen::Vector4d>(q, rest, increment + (1.0 / norm - 1.0) * moved);
+    } else {  // a step so long that the correction is no small one: as a sum it would lose what is left
+      q = moved / moved.stableNorm();
+      rest.setZero();
+    }
+  }
+
   /** Quaternion coefficients in Eigen's order x, y, z, w. */
   void derivative(const Eigen::Vector4d& q, const Eigen::Vector3d& p, Eigen::Vector4d& dq, Eigen::Vector3d& dp) const {
     const Eigen::Vector3d omega = p.cwiseQuotient(moments_);

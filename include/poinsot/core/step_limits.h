@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "poinsot/core/stepper.h"
+
+/** What a method cannot do: doc/hard_cases.md shows it measured. */
+namespace poinsot {
+
+/** How fast a free body moves, all along its orbit. */
+struct OrbitRates {
+  double turn;  ///< |Ω| never exceeds it, and comes near it [rad/s]
+  double wobble;  ///< |L|(1/μ_min − 1/μ_max): L turns in the body at half of it at most [rad/s]; 0 for a sphere
+  double fastest() const { return turn > wobble ? turn : wobble; }
+};
+
+/** For any |Ω|, also where its square leaves the range of doubles. */
+OrbitRates orbitRates(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body);
+
+/** How well a method follows a free body at a step. */
+struct StepJudgement {
+  enum class Grade {
+    sound,     ///< nothing to say
+    doubtful,  ///< to be used with a warning: `reason` says what is off, and by how much
+    hopeless   ///< to be refused: what comes out is another motion than the body's
+  };
+  Grade grade = Grade::sound;
+  std::string reason;        ///< a sentence without a full stop, with numbers; empty when sound
+  double largest_sound = 0;  ///< a step [s] that is sound, at most |step|; 0 when none was found
+};
+
+/**
+ * Judges by trial: takes steps from places all along the body's orbit (the polhode, its flip included, not only where
+ * it starts) and compares with the closed form.
+ *
+ * hopeless: the attitude goes wrong by more than 1 rad within a turn of the body, or, where the body turns by more than
+ * π a step, by more than 0.1 rad within a turn or step; or E or |L| are lost within 64 steps of more than 1 rad each;
+ * or the state becomes infinite or undefined.
+ * doubtful: by more than 0.1 rad a turn; or the body turns by more than π a step and is followed all the same, which
+ * happens where the motion is so regular that the method is nearly exact.
+ *
+ * Where a turn takes more than 64 steps, 64 from each place stand for all of it.
+ *
+ * Costs milliseconds; nothing for steps that are clearly small. Never throws.
+ *
+ * @param moments principal moments [kg·m²], valid.
+ * @param omega_body at the start [rad/s], principal axes, finite.
+ * @param step [s], of either sign, finite, not zero.
+ */
+StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body,
+                        double step);
+
+}  // namespace poinsot

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+/** Comparisons that add no roundoff of their own to that of what they compare. */
+namespace poinsot {
+
+using Real = long double;
+using Vector3 = Eigen::Matrix<Real, 3, 1>;
+using Vector4 = Eigen::Matrix<Real, 4, 1>;
+using Quaternion = Eigen::Quaternion<Real>;
+
+/** b or −b, whichever is nearer to a. */
+inline Vector4 alignedWith(const Vector4& a, const Vector4& b) {
+  return a.dot(b) < 0 ? Vector4(-b) : b;
+}
+
+/** The angle of the rotation from a to b [rad], whatever their lengths and signs. */
+inline double angle(const Quaternion& a, const Quaternion& b) {
+  const Vector4 p = a.coeffs().stableNormalized(), q = alignedWith(p, b.coeffs().stableNormalized());
+  return static_cast<double>(4 * std::asin(std::min<Real>((p - q).norm() / 2, 1)));
+}
+
+inline double angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  return angle(a.cast<Real>(), b.cast<Real>());
+}
+
+/** |a − b|/|a|; 0 when they are equal, also where both are infinite or zero. */
+inline double relativeDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  if (a == b) return 0;
+  const Vector3 p = a.cast<Real>(), q = b.cast<Real>();
+  return static_cast<double>((p - q).stableNorm() / p.stableNorm());
+}
+
+}  // namespace poinsot
