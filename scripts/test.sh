@@ -69,6 +69,7 @@ if ! cmake --build "$build" --target run_tests > "$build/run_tests.log" 2>&1; th
 fi
 count_xml
 
+script sanitizers "$root/test/sanitizers/run.sh"
 script mutations "$root/test/mutations/run.py"
 script workspace "$root/test/workspace/test_workspace.sh"
 script scripts "$root/test/scripts/test_scripts.sh"

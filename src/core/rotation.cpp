@@ -3,8 +3,8 @@
 namespace poinsot {
 
 HalfTurn wideHalfTurn(const Eigen::Vector3d& theta) {
-  const double angle = theta.stableNorm();
-  return {theta / angle, std::cos(0.5 * angle), 2 * std::sin(0.5 * angle)};
+  const double half = 0.5 * theta.stableNorm();
+  return {std::cos(half), std::sin(half) / half};
 }
 
 Eigen::Vector3d logQuaternion(const Eigen::Quaterniond& q) {

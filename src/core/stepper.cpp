@@ -36,16 +36,39 @@ void findKeptMomentum(RotationState& state) {
   }
 }
 
+/** The axis of the moment that is neither the largest nor the smallest. */
+int intermediateAxis(const Eigen::Vector3d& moments) {
+  int axes[] = {0, 1, 2};
+  std::sort(axes, axes + 3, [&](int i, int j) { return moments[i] < moments[j]; });
+  return axes[1];
+}
+
+/**
+ * Sets to 0 what has died away beside a spin about an axis of extreme moment. It would stay nothing, but its products
+ * would be denormal numbers, with which a step takes twice as long. About the unstable axis the least remainder grows
+ * again, and stays.
+ */
+void dropRemainders(RotationState& state, int unstable_axis) {
+  Eigen::Vector3d& p = state.momentum_body;
+  const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
+  const double most = std::max(x, std::max(y, z));
+  if (std::abs(p[unstable_axis]) == most) return;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(p[i]) < 1e-130 * most) p[i] = state.momentum_rest[i] = 0;
+  }
+}
+
 /**
  * Runs a method's inline step() in a plain loop. The method sees moments and momenta of an ordinary size: extreme ones
  * are scaled by powers of two, and the step with them, which changes no digit of the result. Where it keeps L, rounding
  * is kept from moving it.
  */
-template <class Scheme, bool keeps_momentum>
+template <class Scheme, int steps_between_restorations>
 class BatchStepper final : public Stepper {
  public:
   explicit BatchStepper(const Eigen::Vector3d& moments)
       : moments_scale_(excess(moments.maxCoeff())),
+        unstable_axis_(intermediateAxis(moments)),
         scheme_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })) {}
 
   void advance(RotationState& state, double step, std::int64_t count) const override {
@@ -62,7 +85,7 @@ class BatchStepper final : public Stepper {
  private:
   void run(RotationState& state, double step, std::int64_t count) const {
     RotationState s = state;
-    if (!keeps_momentum) {
+    if (steps_between_restorations == 0) {
       for (std::int64_t i = 0; i < count; ++i) scheme_.step(s, step);
       state = s;
       return;
@@ -70,30 +93,31 @@ class BatchStepper final : public Stepper {
     findKeptMomentum(s);
     while (count > 0) {
       const int some =
-          static_cast<int>(std::min<std::int64_t>(count, steppers::kStepsBetweenRestorations - s.steps_since_restored));
+          static_cast<int>(std::min<std::int64_t>(count, steps_between_restorations - s.steps_since_restored));
       for (int i = 0; i < some; ++i) scheme_.step(s, step);
       count -= some;
       s.steps_since_restored += some;
-      if (s.steps_since_restored < steppers::kStepsBetweenRestorations) break;
+      if (s.steps_since_restored < steps_between_restorations) break;
       s.steps_since_restored = 0;
       steppers::restoreMomentum(s);
+      dropRemainders(s, unstable_axis_);
     }
     state = s;
   }
 
-  int moments_scale_;
+  int moments_scale_, unstable_axis_;
   Scheme scheme_;
 };
 
 template <class Scheme>
 std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) {
-  return std::make_unique<BatchStepper<Scheme, false>>(moments);
+  return std::make_unique<BatchStepper<Scheme, 0>>(moments);
 }
 
-/** For those that conserve L. */
-template <class Scheme>
+/** For those that conserve L; the count, for those that turn the body more than once a step. */
+template <class Scheme, int steps_between_restorations = steppers::kStepsBetweenRestorations>
 std::unique_ptr<Stepper> makeKeeping(const Eigen::Vector3d& moments) {
-  return std::make_unique<BatchStepper<Scheme, true>>(moments);
+  return std::make_unique<BatchStepper<Scheme, steps_between_restorations>>(moments);
 }
 
 }  // namespace

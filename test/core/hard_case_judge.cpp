@@ -60,18 +60,18 @@ class Run {
 
   /** False once the state is not finite. */
   bool look(std::int64_t n, const Eigen::Quaterniond& attitude, const Vector& momentum_body) {
+    measured.looked_at = n;
     if (!attitude.coeffs().allFinite() || !momentum_body.allFinite()) {
       measured.finite = false;
       return false;
     }
-    measured.finite_steps = n;
     const Exact now = exactly(case_.moments, attitude, momentum_body);
     const auto atMost = [](double& worst, Real value) { worst = std::max(worst, static_cast<double>(value)); };
     atMost(measured.norm, std::abs(now.norm - 1));
     atMost(measured.momentum, relative((now.momentum - start_.momentum).norm(), start_.momentum.norm()));
     atMost(measured.energy, std::abs(relative(now.energy - start_.energy, start_.energy)));
     atMost(measured.energy_outside, relative(std::max(lowest_ - now.energy, now.energy - highest_), start_.energy));
-    measured.energy_at_end = relative(now.energy - start_.energy, start_.energy);
+    measured.energy_at_end = relative(now.energy - lowest_, highest_ - lowest_);
     return true;
   }
 
@@ -146,7 +146,7 @@ Promise promiseOf(const Method& method, const HardCase& c, const StepJudgement& 
   const double error = std::min(2 * kPi * 5 * of_order, judgement.grade == Grade::sound ? 0.1 : 1.0);
   Promise promise;
   promise.norm = 1e-15;
-  promise.momentum = method.conserves_momentum ? 2e-15 + granularity(c) : roundoff + drift;
+  promise.momentum = method.conserves_momentum ? 4e-15 + granularity(c) : roundoff + drift;
   promise.energy = hopeless ? kInfinity : roundoff + (method.conserves_energy ? 0 : drift);
   promise.energy_outside = method.conserves_momentum ? 1e-14 * condition + roundoff : kInfinity;
   promise.first_turn = hopeless ? kInfinity : kRoundoff * rates.turn * std::abs(c.step) + error;
@@ -175,7 +175,7 @@ std::vector<std::string> broken(const Promise& promise, const Measured& measured
     out.push_back(text);
   };
   if (promise.must_be_finite && !measured.finite) {
-    out.push_back("the state is not finite after " + std::to_string(measured.finite_steps) + " steps");
+    out.push_back("the state is not finite after " + std::to_string(measured.looked_at) + " steps");
   }
   check("the error of the norm", measured.norm, promise.norm);
   check("the change of L", measured.momentum, promise.momentum);

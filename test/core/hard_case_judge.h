@@ -11,16 +11,16 @@ namespace poinsot {
 
 /** What a method did with a case: the greatest figures over the run. */
 struct Measured {
-  std::int64_t finite_steps = 0;  ///< until the state was first seen infinite or NaN, else all
   bool finite = true;
-  double norm = 0;            ///< ||q| − 1|
-  double momentum = 0;        ///< |L − L₀|/|L₀|, world axes
-  double energy = 0;          ///< |E − E₀|/E₀
-  double energy_outside = 0;  ///< of E beyond [L²/2μ_max, L²/2μ_min], relative
-  double energy_at_end = 0;   ///< E/E₀ − 1
-  double first_turn = 0;      ///< error of the attitude against the closed form [rad], worst rate in the first turn (or
-                              ///< step, if longer) times a turn; what is below 1e-14 does not count
-  double attitude = 0;        ///< greatest error of the attitude over the run [rad]
+  std::int64_t looked_at = 0;  ///< the last look: the end, or where the state was first seen infinite or NaN [steps]
+  double norm = 0;             ///< ||q| − 1|
+  double momentum = 0;         ///< |L − L₀|/|L₀|, world axes
+  double energy = 0;           ///< |E − E₀|/E₀
+  double energy_outside = 0;   ///< of E beyond [L²/2μ_max, L²/2μ_min], relative
+  double energy_at_end = 0;    ///< E in that range: 0 at its lower end, 1 at its upper one
+  double first_turn = 0;  ///< error of the attitude against the closed form [rad], worst rate in the first turn (or
+                          ///< step, if longer) times a turn; what is below 1e-14 does not count
+  double attitude = 0;    ///< greatest error of the attitude over the run [rad]
 };
 
 Measured measure(const Method& method, const HardCase& hard_case);

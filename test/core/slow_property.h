@@ -14,7 +14,7 @@ inline void checkFewCases(void (*property)()) {
   metadata.id = std::string(test->test_suite_name()) + "/" + test->name();
   metadata.description = test->name();
   rc::detail::TestParams few = rc::detail::configuration().testParams;
-  few.maxSuccess = std::max(1, few.maxSuccess / 20);
+  few.maxSuccess = std::max(1, few.maxSuccess / 40);
   const rc::detail::TestResult result = rc::detail::checkTestable(property, metadata, few);
   if (result.is<rc::detail::SuccessResult>()) return;
   std::ostringstream text;
@@ -24,7 +24,7 @@ inline void checkFewCases(void (*property)()) {
 
 }  // namespace poinsot
 
-/** As RC_GTEST_PROP, with a twentieth of the cases: for what takes milliseconds each. */
+/** As RC_GTEST_PROP, with a fortieth of the cases: for what takes milliseconds each. */
 #define SLOW_PROPERTY(Suite, Name)                        \
   void slowProperty##Suite##Name();                       \
   TEST(Suite, Name) {                                     \

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "comparisons.h"
 #include "free_bodies.h"
@@ -82,7 +84,10 @@ RC_GTEST_PROP(ClosedFormBorders, ofEqualMoments, ()) {
   expectSmooth(below, middle, above, draw::time(middle, 1e4));
 }
 
-/** A spin about a principal axis and one that differs by so much of its rate, or less. */
+/**
+ * A spin about a principal axis and one that differs from it by so much of its rate or, about an axis of greater
+ * moment, by so much of its momentum.
+ */
 void expectSmoothAboutSteadySpin(double least, double most) {
   FreeBody middle = draw::body();
   const int axis = draw::integer(0, 2), i = (axis + draw::integer(1, 2)) % 3, other = 3 - axis - i;
@@ -90,10 +95,10 @@ void expectSmoothAboutSteadySpin(double least, double most) {
   RC_ASSERT(middle.closedForm().regime() == ClosedForm::Regime::steady);
   FreeBody below = middle, above = middle;
   const double step = draw::powerOfTen(least, most), share = draw::oneOf({0.0, 1.0, -1.0, 0.3});
-  below.omega[i] = -step;
-  above.omega[i] = step;
-  below.omega[other] = -share * step;
-  above.omega[other] = share * step;
+  for (const auto& [k, size] : {std::make_pair(i, step), std::make_pair(other, share * step)}) {
+    above.omega[k] = size * std::min(1.0, middle.moments[axis] / middle.moments[k]);
+    below.omega[k] = -above.omega[k];
+  }
   expectSmooth(below, middle, above, draw::time(middle, 1e3));
 }
 

@@ -8,8 +8,9 @@
 
 namespace poinsot::steppers {
 
+/** Of methods that turn the body once a step; the others, as many steps as take about 8 turns. */
 constexpr int kStepsBetweenRestorations = 8;
-/** The most that L is moved at a time, relative: the rounding errors of 8 steps. */
+/** The most that L is moved at a time, relative: the rounding errors of 8 turns. */
 constexpr double kMostRestored = 4e-15;
 
 /**
@@ -17,7 +18,7 @@ constexpr double kMostRestored = 4e-15;
  * be kept, and Λ scaled to its length.
  *
  * Rounding alone makes RΛ drift by some 1e-18 a step, and always the same way in a steady spin; |L| by as much as
- * 5e-17. With this, L stays where it was to 2e-15 after any number of steps. It moves L by no more than rounding does,
+ * 5e-17. With this, L stays where it was to 3e-15 after any number of steps. It moves L by no more than rounding does,
  * which is too little to hide a method that does not keep L.
  */
 inline void restoreMomentum(RotationState& state) {

@@ -15,11 +15,11 @@ namespace poinsot::steppers {
  */
 inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
   const HalfTurn turn = halfTurn(theta);
-  const double v0 = turn.v[0], v1 = turn.v[1], v2 = turn.v[2];
+  const double v0 = theta[0], v1 = theta[1], v2 = theta[2];
   double* const p = state.momentum_body.data();
   double* const rest = state.momentum_rest.data();
   const double p0 = p[0], p1 = p[1], p2 = p[2];
-  // v×Λ and v×(v×Λ) do not wait for c and s.
+  // θ×Λ and θ×(θ×Λ) do not wait for c and s.
   const double u0 = v1 * p2 - v2 * p1, u1 = v2 * p0 - v0 * p2, u2 = v0 * p1 - v1 * p0;
   const double uu0 = v1 * u2 - v2 * u1, uu1 = v2 * u0 - v0 * u2, uu2 = v0 * u1 - v1 * u0;
   const double once = turn.c * turn.s, twice = 0.5 * turn.s * turn.s;

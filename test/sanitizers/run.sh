@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# The core's tests under the address and undefined-behaviour sanitizers, in a build of their own (build/sanitized).
+# The last line reads "N passed, M failed"; a program is one test.
+source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
+set +e
+
+# All of the core's tests but those that take minutes here: far times in thousands of bits, and the same rows again for
+# older processors. And but test_allocation, which has a malloc of its own as the sanitizer has; test_rooms, which
+# runs nothing of the core; test_reference, whose 1e10 steps are those of the other tests and would take half an hour.
+programs=(test_core test_closed_form_rows test_closed_form_properties)
+
+export build=$build/sanitized
+build_package -DPOINSOT_SANITIZE=ON misuse "${programs[@]}"
+export UBSAN_OPTIONS=print_stacktrace=1
+# Property tests draw fewer cases: the full number has run without sanitizers.
+export RC_PARAMS="seed=1758 max_success=400 noshrink=1"
+
+passed=0 failed=0
+# expect NAME EXIT_CODE PATTERN COMMAND...: the program's streams together must match the pattern.
+expect() {
+  local name=$1 code=$2 pattern=$3 log=$build/$1.log got
+  shift 3
+  "$@" > "$log" 2>&1 < /dev/null
+  got=$?
+  if [ "$got" -eq "$code" ] && grep -qE -- "$pattern" "$log"; then
+    passed=$((passed + 1))
+    echo "PASS  $name"
+  else
+    failed=$((failed + 1))
+    echo "FAIL  $name: exit $got, expected $code and /$pattern/; its output is in $log"
+    { grep -m 3 -A 12 -E 'runtime error|ERROR: |Failure$' "$log" || tail -n 15 "$log"; } | sed 's/^/        /'
+  fi
+}
+
+misuse=$build/devel/lib/poinsot/misuse
+expect nothing_wrong 0 'nothing was caught' "$misuse" none
+expect out_of_bounds_is_caught 1 'AddressSanitizer: heap-buffer-overflow' "$misuse" out_of_bounds
+expect overflow_is_caught 1 'signed integer overflow' "$misuse" overflow
+for program in "${programs[@]}"; do
+  expect "$program" 0 '^\[  PASSED  \] [1-9][0-9]* test' "$build/devel/lib/poinsot/$program" \
+    --gtest_filter='-OlderProcessors*:*sample/others*:ClosedFormAnyInput*:*samplesAreSingleEvaluations*'
+done
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
