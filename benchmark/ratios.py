@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Measures the closed form and the steppers against one step of a general solver, and judges the ratios.
 
-Usage: ratios.py [--program FILE] [--runs N] [--repetitions N] [--min-time S] [--csv FILE]
+Usage: ratios.py [--program FILE] [--runs N] [--repetitions N] [--min-time S] [--csv FILE] [--markdown FILE]
 
 Runs the program `benchmarks` for each instruction set that this processor has, repetitions interleaved at random, and
 takes medians of CPU time. A ratio is to peer/odeint_rk4_step of the same run. Exit: 0 when every target is met in every
@@ -110,6 +110,32 @@ def judge(times, wanted, level, run, rows):
     return missed
 
 
+def markdown(figures, levels):
+    """The tables of doc/benchmarks.md, from {level: [{name: ns} of each run]}: the worst of the runs."""
+    def worst(level, name, unit):
+        return max(times[name] / (times[PEER] if unit == "peer" else 1) for times in figures[level])
+
+    def cell(level, name):
+        most, unit = targets(level, level == levels[-1]).get(name, (None, "peer"))
+        figure = worst(level, name, unit)
+        text = "%.1f µs" % (figure / 1e3) if unit == "ns" else "%.2f" % figure
+        return text if most is None or figure <= most else "**%s**" % text
+
+    best = levels[-1]
+    lines = ["| regime | setup | at | " + " | ".join("6000, %s | 100, %s" % (level, level) for level in reversed(levels)) + " |",
+             "|---|" + "--:|" * (2 + 2 * len(levels))]
+    for regime in FAR + NEAR:
+        cells = [cell(best, "closed_form/setup/" + regime), cell(best, "closed_form/at/" + regime)]
+        cells += [cell(level, "closed_form/sample_per_state/%s/%d" % (regime, states))
+                  for level in reversed(levels) for states in (6000, 100)]
+        lines.append("| %s | %s |" % (regime, " | ".join(cells)))
+    lines += ["", "| step | far | near the separatrix |", "|---|--:|--:|"]
+    for name in sorted(figures[best][0]):
+        if name.startswith("step/") and name.count("/") == 1:
+            lines.append("| %s | %s | %s |" % (name[5:], cell(best, name), cell(best, name + "/near_separatrix")))
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=os.path.join(ROOT, "build/devel/lib/poinsot/benchmarks"))
@@ -117,6 +143,7 @@ def main():
     parser.add_argument("--repetitions", type=int, default=9, help="of each benchmark in a run (9)")
     parser.add_argument("--min-time", type=float, default=0.02, help="seconds of one repetition (0.02)")
     parser.add_argument("--csv", metavar="FILE", help="writes all figures there too")
+    parser.add_argument("--markdown", metavar="FILE", help="writes the tables of doc/benchmarks.md there")
     options = parser.parse_args()
     if options.runs < 1 or options.repetitions < 1 or not options.min_time > 0:
         parser.error("runs, repetitions and min-time must be positive")
@@ -125,9 +152,11 @@ def main():
 
     rows, missed = [], []
     levels = available_levels()
+    figures = {level: [] for level in levels}
     for run in range(1, options.runs + 1):
         for level in levels:
             times = measure(options.program, level, options.repetitions, options.min_time)
+            figures[level].append(times)
             names = judge(times, targets(level, level == levels[-1]), level, run, rows)
             missed += ["run %d, %s: %s" % (run, level, name) for name in names]
     if options.csv:
@@ -135,6 +164,9 @@ def main():
             writer = csv.writer(handle)
             writer.writerow(["run", "level", "name", "ns", "ratio", "target", "met"])
             writer.writerows(rows)
+    if options.markdown:
+        with open(options.markdown, "w") as handle:
+            handle.write(markdown(figures, levels))
     print("\n%d targets judged, %d missed" % (sum(1 for row in rows if row[-1]), len(missed)))
     for line in missed:
         print("    " + line)

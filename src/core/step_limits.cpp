@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 using Grade = StepJudgement::Grade;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad a turn
-constexpr double kLost = 0.25;                    // of E, of the range of E at that |L|, of |L|
-constexpr double kClearlySmall = 0.02;  // rad a step: the error of a turn is then below 0.1 rad, even of first order
+constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad a turn; the second of E as well
+constexpr double kLost = 0.5;                     // of E, of the range of E at that |L|, of |L|
+constexpr double kClearlySmall = 0.02;  // of effort(): the error of a turn is then below 0.1 rad, even of first order
 constexpr double kMostTurned = 1e15;    // rad a step: beyond, the rounding of the angle alone is 0.1 rad
 constexpr int kMostSteps = 64;          // of a trial
 
@@ -27,6 +27,14 @@ std::string format(const char* text, double a, double b = 0) {
   char out[160];
   std::snprintf(out, sizeof out, text, a, b);
   return out;
+}
+
+/**
+ * The radians that a step takes at the fastest rate of the orbit, times the wobbles to a turn, over which errors of E
+ * add up.
+ */
+double effort(const OrbitRates& rates, double step) {
+  return rates.fastest() * step * (rates.wobble > rates.turn ? rates.wobble / rates.turn : 1);
 }
 
 /** A method at a step on the orbit of a body. */
@@ -41,7 +49,7 @@ class Trial {
 
   /** Without largest_sound. @param step > 0 */
   StepJudgement at(double step) const {
-    if (rates_.fastest() * step < kClearlySmall) return {};
+    if (effort(rates_, step) < kClearlySmall) return {};
     if (rates_.turn * step > kMostTurned) {
       return {Grade::hopeless,
               format("the body turns by %.2g rad in a step, which doubles cannot tell from another angle",
@@ -60,6 +68,7 @@ class Trial {
   struct Worst {
     double angle = 0;  ///< a turn, or a step where that is longer [rad]
     double energy = 0, momentum = 0;
+    double energy_of_turn = 0;
     std::string broken;
   };
 
@@ -93,6 +102,7 @@ class Trial {
     const double scale = place.momentum_body.stableNorm();
     const double energy = energyOf(place, scale), range = 0.5 * (1 / moments_.minCoeff() - 1 / moments_.maxCoeff());
     const double tolerance = kLost * std::min(energy, range * moments_.maxCoeff()) + 1e-12 * energy;
+    const double lowest = 0.5, highest = 0.5 * moments_.maxCoeff() / moments_.minCoeff();
     RotationState state = place;
     for (int n = 1; n <= steps; ++n) {
       stepper_->advance(state, step, 1);
@@ -104,6 +114,14 @@ class Trial {
       worst.energy = std::max(worst.energy, kLost * std::abs(energyOf(state, scale) - energy) / tolerance);
       worst.momentum = std::max(worst.momentum, std::abs(state.momentum_body.stableNorm() / scale - 1));
       if (n > compared) continue;
+      if (n == compared && per_turn > 1) {
+        // E leaves the end of its range exponentially, and comes to rest at the other.
+        const double change = energyOf(state, scale) - energy, real = std::max(0.0, std::abs(change) - 1e-12 * energy);
+        const double away = (change > 0 ? energy - lowest : highest - energy), share = away / (highest - lowest);
+        const double growth = std::exp(std::min(500.0, real == 0 ? 0 : per_turn * real / (away * (1 - share))));
+        const double in_turn = away * growth / (1 + share * (growth - 1)) - away;
+        worst.energy_of_turn = std::max(worst.energy_of_turn, kLost * in_turn / tolerance);
+      }
       worst.angle = std::max(worst.angle, per_turn * angleBetween(truth.at(n * step).attitude, state.attitude));
     }
   }
@@ -124,15 +142,21 @@ class Trial {
 
 StepJudgement Trial::judgement(const Worst& worst, double step) const {
   const double turned = rates_.turn * step;  // in a step [rad]
-  const std::string while_ = turned < 2 * kPi ? format("in a turn of the body (%.3g steps)", 2 * kPi / turned)
-                                              : format("in one step (%.3g turns of the body)", turned / (2 * kPi));
-  const std::string angle = "the attitude goes wrong by " + format("%.2g rad ", std::min(worst.angle, kPi)) + while_;
+  const std::string when = turned < 2 * kPi ? format("in a turn of the body (%.3g steps)", 2 * kPi / turned)
+                                            : format("in one step (%.3g turns of the body)", turned / (2 * kPi));
+  const std::string angle = "the attitude goes wrong by " + format("%.2g rad ", std::min(worst.angle, kPi)) + when;
   if (!(worst.angle <= (turned > kPi ? kDoubtful : kHopeless))) return {Grade::hopeless, angle, 0};
   const std::string within =
       format(" within %.0f steps (%.2g turns of the body)", kMostSteps, kMostSteps * turned / (2 * kPi));
-  if (!(worst.energy <= kLost)) return {Grade::hopeless, "the kinetic energy is lost" + within, 0};
-  if (!(worst.momentum <= kLost)) return {Grade::hopeless, "the angular momentum is lost" + within, 0};
+  if (!(worst.energy <= kLost)) return {Grade::hopeless, "the kinetic energy goes wrong by more than half" + within, 0};
+  if (!(worst.energy_of_turn <= kLost))
+    return {Grade::hopeless, "the kinetic energy goes wrong by more than half " + when, 0};
+  if (!(worst.momentum <= kLost))
+    return {Grade::hopeless, "the angular momentum goes wrong by more than half" + within, 0};
   if (worst.angle > kDoubtful) return {Grade::doubtful, angle, 0};
+  if (worst.energy_of_turn > kDoubtful) {
+    return {Grade::doubtful, format("the kinetic energy goes wrong by %.0f %% ", 100 * worst.energy_of_turn) + when, 0};
+  }
   if (turned > kPi) {
     return {
         Grade::doubtful,
@@ -144,7 +168,7 @@ StepJudgement Trial::judgement(const Worst& worst, double step) const {
 
 /** The longest step/2ᵏ that is sound; all below clearly small ones are. */
 double largestSound(const Trial& trial, double step) {
-  const double most = std::log2(trial.rates().fastest()) + std::log2(step) - std::log2(kClearlySmall);
+  const double most = std::log2(effort(trial.rates(), 1)) + std::log2(step) - std::log2(kClearlySmall);
   int bad = 0, good = static_cast<int>(std::ceil(std::max(most, 0.0))) + 1;
   while (good - bad > 1) {
     const int middle = (bad + good) / 2;
@@ -173,7 +197,7 @@ OrbitRates orbitRates(const Vector3d& moments, const Vector3d& omega) {
 
 StepJudgement judgeStep(const Method& method, const Vector3d& moments, const Vector3d& omega_body, double step) {
   const OrbitRates rates = orbitRates(moments, omega_body);
-  if (rates.fastest() * std::abs(step) < kClearlySmall) return {};
+  if (effort(rates, std::abs(step)) < kClearlySmall) return {};
   try {
     // Backwards is the same as forwards from −Ω, for the body and for every method.
     const Trial trial(method, moments, step < 0 ? Vector3d(-omega_body) : omega_body);

@@ -85,15 +85,15 @@ class BatchStepper final : public Stepper {
  private:
   void run(RotationState& state, double step, std::int64_t count) const {
     RotationState s = state;
-    if (steps_between_restorations == 0) {
+    if constexpr (steps_between_restorations == 0) {
       for (std::int64_t i = 0; i < count; ++i) scheme_.step(s, step);
       state = s;
       return;
     }
     findKeptMomentum(s);
     while (count > 0) {
-      const int some =
-          static_cast<int>(std::min<std::int64_t>(count, steps_between_restorations - s.steps_since_restored));
+      const int due = std::max(1, steps_between_restorations - s.steps_since_restored);
+      const int some = static_cast<int>(std::min<std::int64_t>(count, due));
       for (int i = 0; i < some; ++i) scheme_.step(s, step);
       count -= some;
       s.steps_since_restored += some;

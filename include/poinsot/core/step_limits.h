@@ -10,7 +10,7 @@ namespace poinsot {
 
 /** How fast a free body moves, all along its orbit. */
 struct OrbitRates {
-  double turn;  ///< |Ω| never exceeds it, and comes near it [rad/s]
+  double turn;    ///< |Ω| never exceeds it, and comes near it unless the spin is steady [rad/s]
   double wobble;  ///< |L|(1/μ_min − 1/μ_max): L turns in the body at half of it at most [rad/s]; 0 for a sphere
   double fastest() const { return turn > wobble ? turn : wobble; }
 };
@@ -35,12 +35,13 @@ struct StepJudgement {
  * it starts) and compares with the closed form.
  *
  * hopeless: the attitude goes wrong by more than 1 rad within a turn of the body, or, where the body turns by more than
- * π a step, by more than 0.1 rad within a turn or step; or E or |L| are lost within 64 steps of more than 1 rad each;
- * or the state becomes infinite or undefined.
- * doubtful: by more than 0.1 rad a turn; or the body turns by more than π a step and is followed all the same, which
- * happens where the motion is so regular that the method is nearly exact.
+ * π a step, by more than 0.1 rad within a turn or step; or E (or its place in the range that |L| leaves it) or |L| by
+ * more than half within a turn, or within 64 steps of more than 1 rad each; or the state becomes infinite or undefined.
+ * doubtful: by more than 0.1 rad a turn; or E changes by more than a tenth; or the body turns by more than π a step and
+ * is followed all the same, which happens where the motion is so regular that the method is nearly exact.
  *
- * Where a turn takes more than 64 steps, 64 from each place stand for all of it.
+ * Where a turn takes more than 64 steps, 64 from each place stand for all of it: errors of the attitude are taken to
+ * grow in proportion, those of E exponentially.
  *
  * Costs milliseconds; nothing for steps that are clearly small. Never throws.
  *
