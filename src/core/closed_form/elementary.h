@@ -89,8 +89,8 @@ POINSOT_INLINE Exponentials exponentials(double a) {
   const double less = cosh - sinh, more = cosh + sinh;
   // The low bits of these are the exponents of 2⁻ⁿ and 2ⁿ.
   const double down = (1023.0 - n) + 0x1.8p52, up = (1023.0 + n) + 0x1.8p52;
-  const double shrink = bitsOf<double>(bitsOf<std::int64_t>(down) << 52);
-  const double grow = bitsOf<double>(bitsOf<std::int64_t>(up) << 52);
+  const double shrink = bitsOf<double>(bitsOf<std::uint64_t>(down) << 52);
+  const double grow = bitsOf<double>(bitsOf<std::uint64_t>(up) << 52);
   return {mulAdd(shrink, less, shrink), mulAdd(-shrink, less, 1.0 - shrink), mulAdd(grow, more, grow)};
 }
 
