@@ -67,7 +67,7 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   markers_static_publisher_ = handle_.advertise<MarkerArray>(
       names::kMarkersStatic, 1,
       [this](const ros::SingleSubscriberPublisher&) {
-        const std::lock_guard<std::mutex> lock(mutex_);
+        const std::lock_guard<FairMutex> lock(mutex_);
         resend_static_at_ = ros::SteadyTime::now() + kResendAfter;
       },
       ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
@@ -111,14 +111,14 @@ void Node::run() {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<FairMutex> lock(mutex_);
     publishStatic();
   }
   if (pacer_.mode() == Pacer::Mode::foreign_clock && !ros::Time::waitForValid(kPatienceForClock)) {
     ROS_WARN("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
   }
   while (pacer_.wait()) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<FairMutex> lock(mutex_);
     tick();
     diagnostics_.update();
   }
@@ -232,7 +232,7 @@ void Node::jumpTo(double time) {
 }
 
 bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<FairMutex> lock(mutex_);
   clock_.pause(request.data);
   response.success = true;
   response.message = std::string(request.data ? "paused" : "playing") + " at t = " + shown(clock_.time()) + " s";
@@ -240,7 +240,7 @@ bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Respo
 }
 
 bool Node::onStep(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<FairMutex> lock(mutex_);
   response.success = clock_.paused();
   if (response.success) {
     clock_.step();
@@ -252,7 +252,7 @@ bool Node::onStep(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& resp
 }
 
 bool Node::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<FairMutex> lock(mutex_);
   seeker_.cancel();
   clock_.jumpTo(0);
   response.success = true;
@@ -261,7 +261,7 @@ bool Node::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& res
 }
 
 void Node::onSpeed(const std_msgs::Float64& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<FairMutex> lock(mutex_);
   if (!std::isfinite(message.data)) {
     ROS_ERROR("speed %g refused: a finite number is allowed", message.data);
     return;
@@ -276,7 +276,7 @@ void Node::onSpeed(const std_msgs::Float64& message) {
 }
 
 void Node::onSeek(const std_msgs::Float64& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<FairMutex> lock(mutex_);
   const double time = message.data;
   if (!std::isfinite(time)) {
     ROS_ERROR("seek to %g refused: a finite time is allowed", time);

@@ -7,7 +7,7 @@ set +e
 # All of the core's tests but those that take minutes here: far times in thousands of bits, and the same rows again for
 # older processors. And but test_allocation, which has a malloc of its own as the sanitizer has; test_rooms, which
 # runs nothing of the core; test_reference, whose 1e10 steps are those of the other tests and would take half an hour.
-programs=(test_core test_closed_form_rows test_closed_form_properties)
+programs=(test_core test_closed_form_rows test_closed_form_properties test_hard_cases)
 
 export build=$build/sanitized
 build_package -DPOINSOT_SANITIZE=ON misuse "${programs[@]}"

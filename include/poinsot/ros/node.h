@@ -12,11 +12,11 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "poinsot/ros/body.h"
+#include "poinsot/ros/fair_mutex.h"
 #include "poinsot/ros/pacer.h"
 #include "poinsot/ros/parameters.h"
 #include "poinsot/ros/seeker.h"
@@ -56,7 +56,7 @@ class Node {
 
   void diagnoseTicks(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  std::mutex mutex_;
+  FairMutex mutex_;
   SimulationClock clock_;
   Pacer pacer_;
   Seeker seeker_;
