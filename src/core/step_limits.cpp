@@ -8,6 +8,7 @@
 
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/invariants.h"
+#include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 
 namespace poinsot {
@@ -105,7 +106,12 @@ class Trial {
     const double lowest = 0.5, highest = 0.5 * moments_.maxCoeff() / moments_.minCoeff();
     RotationState state = place;
     for (int n = 1; n <= steps; ++n) {
-      stepper_->advance(state, step, 1);
+      try {
+        stepper_->advance(state, step, 1);
+      } catch (const NoConvergence& error) {
+        worst.broken = error.what();
+        return;
+      }
       if (!state.attitude.coeffs().allFinite() || !state.omegaBody(moments_).allFinite()) {
         worst.broken =
             "the state becomes infinite or undefined after " + std::to_string(n) + (n == 1 ? " step" : " steps");

@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "poinsot/core/steppers/buss2.h"
+#include "poinsot/core/steppers/buss3.h"
+#include "poinsot/core/steppers/buss4.h"
+#include "poinsot/core/steppers/cf4.h"
+#include "poinsot/core/steppers/dmv.h"
 #include "poinsot/core/steppers/lie_euler.h"
+#include "poinsot/core/steppers/midpoint.h"
 #include "poinsot/core/steppers/restore_momentum.h"
 #include "poinsot/core/steppers/rk4.h"
+#include "poinsot/core/steppers/rkmk4.h"
+#include "poinsot/core/steppers/splitting.h"
 
 namespace poinsot {
 namespace {
@@ -26,13 +34,19 @@ void scale(RotationState& state, int k) {
   }
 }
 
-/** The L to be kept is that of the start, or the one that the caller has made of it since. */
-void findKeptMomentum(RotationState& state) {
+/** L and E to be kept are those of the start, or what the caller has made of them since. */
+void findKept(RotationState& state, const Eigen::Vector3d& moments) {
   const Eigen::Vector3d kept = state.kept_momentum;
+  const double kept_inverse_inertia = state.kept_inverse_inertia;
   state.keepMomentum();
   if ((state.kept_momentum - kept).squaredNorm() <= 1e-26 * kept.squaredNorm()) {
     state.kept_momentum = kept;
     state.kept_inverse_square = kept.isZero(0) ? 0 : 1 / kept.squaredNorm();
+  }
+  const Eigen::Vector3d& p = state.momentum_body;
+  state.kept_inverse_inertia = p.dot(p.cwiseQuotient(moments)) * state.kept_inverse_square;
+  if (std::abs(state.kept_inverse_inertia - kept_inverse_inertia) <= 1e-11 * kept_inverse_inertia) {
+    state.kept_inverse_inertia = kept_inverse_inertia;
   }
 }
 
@@ -58,6 +72,16 @@ void dropRemainders(RotationState& state, int unstable_axis) {
   }
 }
 
+/** What a scheme can work out once for all the steps of a motion: a Plan, or the step itself where it has none. */
+template <class Scheme, class = void>
+struct Planned {
+  static double plan(const Scheme&, const RotationState&, double step) { return step; }
+};
+template <class Scheme>
+struct Planned<Scheme, std::void_t<typename Scheme::Plan>> {
+  static auto plan(const Scheme& scheme, const RotationState& state, double step) { return scheme.plan(state, step); }
+};
+
 /**
  * Runs a method's inline step() in a plain loop. The method sees moments and momenta of an ordinary size: extreme ones
  * are scaled by powers of two, and the step with them, which changes no digit of the result. Where it keeps L, rounding
@@ -69,7 +93,8 @@ class BatchStepper final : public Stepper {
   explicit BatchStepper(const Eigen::Vector3d& moments)
       : moments_scale_(excess(moments.maxCoeff())),
         unstable_axis_(intermediateAxis(moments)),
-        scheme_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })) {}
+        moments_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })),
+        scheme_(moments_) {}
 
   void advance(RotationState& state, double step, std::int64_t count) const override {
     const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
@@ -90,11 +115,12 @@ class BatchStepper final : public Stepper {
       state = s;
       return;
     }
-    findKeptMomentum(s);
+    findKept(s, moments_);
+    const auto plan = Planned<Scheme>::plan(scheme_, s, step);
     while (count > 0) {
       const int due = std::max(1, steps_between_restorations - s.steps_since_restored);
       const int some = static_cast<int>(std::min<std::int64_t>(count, due));
-      for (int i = 0; i < some; ++i) scheme_.step(s, step);
+      for (int i = 0; i < some; ++i) scheme_.step(s, plan);
       count -= some;
       s.steps_since_restored += some;
       if (s.steps_since_restored < steps_between_restorations) break;
@@ -106,6 +132,7 @@ class BatchStepper final : public Stepper {
   }
 
   int moments_scale_, unstable_axis_;
+  Eigen::Vector3d moments_;  ///< as the scheme sees them
   Scheme scheme_;
 };
 
@@ -127,7 +154,20 @@ const std::vector<Method>& methods() {
       // name, order, conserves L, conserves E
       {"lie_euler", 1, true, false, makeKeeping<steppers::LieEuler>},
       {"buss2", 2, true, false, makeKeeping<steppers::Buss2>},
+      {"buss3", 3, true, false, makeKeeping<steppers::Buss3>},
+      {"buss4", 4, true, false, makeKeeping<steppers::Buss4>},
       {"rk4", 4, false, false, make<steppers::Rk4>},
+      {"rkmk4", 4, true, false, makeKeeping<steppers::Rkmk4>},
+      {"cf4", 4, true, false, makeKeeping<steppers::Cf4, 4>},
+      {"midpoint", 2, true, false, makeKeeping<steppers::Midpoint>},
+      {"splitting2", 2, true, false, makeKeeping<steppers::Splitting2, 2>},
+      {"splitting4", 4, true, false, makeKeeping<steppers::Splitting4, 1>},
+      {"splitting6", 6, true, false, makeKeeping<steppers::Splitting6, 1>},
+      {"dmv2", 2, true, true, makeKeeping<steppers::Dmv<2>>},
+      {"dmv4", 4, true, true, makeKeeping<steppers::Dmv<4>>},
+      {"dmv6", 6, true, true, makeKeeping<steppers::Dmv<6>>},
+      {"dmv8", 8, true, true, makeKeeping<steppers::Dmv<8>>},
+      {"dmv10", 10, true, true, makeKeeping<steppers::Dmv<10>>},
   };
   return table;
 }

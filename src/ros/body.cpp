@@ -59,7 +59,7 @@ const MotionState& Body::move(const Tick& tick) {
   const double begin = threadCpuTime();
   try {
     if (tick.time != state_.time) state_ = motion_.at(tick.time);
-  } catch (const std::range_error& error) {
+  } catch (const std::runtime_error& error) {  // range_error, NoConvergence
     std::ostringstream out;
     out << "body " << name_ << " under " << motion_.setup().method << " at t = " << tick.time << " s: " << error.what();
     throw std::runtime_error(out.str());

@@ -11,6 +11,7 @@
 #include "csv_rows.h"
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/no_convergence.h"
 #include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
 
@@ -121,7 +122,11 @@ void evaluate(Task& task) {
 /** Moves the task's attitude and omega to t. */
 void propagate(Task& task, const Way& way) {
   if (task.t == 0) return;
-  way.method ? step(task, way) : evaluate(task);
+  try {
+    way.method ? step(task, way) : evaluate(task);
+  } catch (const poinsot::NoConvergence& error) {
+    throw NoResult("line " + std::to_string(task.line) + ": " + error.what());
+  }
   if (!task.attitude.coeffs().allFinite() || !task.omega.allFinite()) {
     throw NoResult("line " + std::to_string(task.line) + ": the state became infinite or undefined");
   }

@@ -11,6 +11,8 @@
 
 #include "allocation_counter.h"
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/no_convergence.h"
+#include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
 
 namespace poinsot {
@@ -128,8 +130,13 @@ TEST(Allocation, steppersAllocateNothing) {
       const std::unique_ptr<Stepper> stepper = method.make(c.moments);
       RotationState state = RotationState::fromOmega(c.moments, Eigen::Quaterniond::Identity(), c.omega);
       const AllocationCounter counter;
-      stepper->advance(state, 0.01, 1000);
-      stepper->advance(state, -0.01, 1);
+      try {
+        stepper->advance(state, 0.01, 1000);
+        stepper->advance(state, -0.01, 1);
+      } catch (const NoConvergence&) {
+        EXPECT_GT(orbitRates(c.moments, c.omega).fastest() * 0.01, 0.5) << method.name << ", " << c.name;
+        continue;  // the error has a text
+      }
       sink = state.attitude.w();
       EXPECT_EQ(counter.count(), 0) << method.name << ", " << c.name;
     }

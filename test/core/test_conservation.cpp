@@ -45,7 +45,9 @@ TEST(Conservation, eachMethodKeepsWhatItClaimsAndNothingElse) {
     if (method.conserves_energy) {
       EXPECT_LE(drifts.energy, 2e-12) << method.name;
     } else {
-      EXPECT_GE(drifts.energy, 1e-8) << method.name;
+      // Where the error at that step is near roundoff, a long one shows it.
+      const double energy = std::max(drifts.energy, worstDrifts(method, 2.5, 1000).energy);
+      EXPECT_GE(energy, 1e-8) << method.name;
     }
   }
 }

@@ -64,7 +64,9 @@ TEST_P(EveryMethod, spinsASphereSteadily) {
   RotationState state = RotationState::fromOmega({2, 2, 2}, Eigen::Quaterniond::Identity(), omega);
   method().make({2, 2, 2})->advance(state, 0.001, 5000);
   EXPECT_LE((state.omegaBody({2, 2, 2}) - omega).norm(), 1e-12);
-  EXPECT_LE(angleBetween(state.attitude, expQuaternion(5 * omega)), 1e-11);
+  // Without a sine, the angle of a step is twice an arctangent: off by θ³/6, |θ| = 0.0017, in each of 5000 steps.
+  const double off = GetParam() == "dmv2" ? 5e-6 : 1e-11;
+  EXPECT_LE(angleBetween(state.attitude, expQuaternion(5 * omega)), off);
 }
 
 std::vector<std::string> names() {

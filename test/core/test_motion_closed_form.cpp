@@ -127,7 +127,9 @@ TEST(AttitudeError, isTheAngleToTheClosedForm) {
     for (const double t : {0.004, 1.0, -7.77, 30.0}) {
       const MotionState state = motion.at(t);
       EXPECT_NEAR(motion.attitudeError(state), angleBetween(state.attitude, exact.at(t).attitude), 1e-15);
-      EXPECT_GT(motion.attitudeError(state), 0);
+      if (method.order <= 3) {  // others may be right to the last bit
+        EXPECT_GT(motion.attitudeError(state), 0);
+      }
     }
   }
   EXPECT_EQ(exact.attitudeError(exact.at(17)), 0);
@@ -136,9 +138,10 @@ TEST(AttitudeError, isTheAngleToTheClosedForm) {
 TEST(AttitudeError, fallsAsTheOrderSays) {
   for (const Method& method : methods()) {
     // At halves of steps that are grid points of both.
-    Motion coarse(stepped(method.name, 1.0 / 64)), fine(stepped(method.name, 1.0 / 128));
+    const double step = std::ldexp(1.0, method.order <= 2 ? -6 : method.order <= 4 ? -4 : -1);
+    Motion coarse(stepped(method.name, step)), fine(stepped(method.name, step / 2));
     const double ratio = coarse.attitudeError(coarse.at(4)) / fine.attitudeError(fine.at(4));
-    EXPECT_NEAR(std::log2(ratio), method.order, 0.2) << method.name;
+    EXPECT_NEAR(std::log2(ratio), method.order, method.order <= 6 ? 0.2 : 0.4) << method.name;
   }
 }
 

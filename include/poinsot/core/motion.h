@@ -60,7 +60,8 @@ class Motion {
   /**
    * The state at t [s] of either sign: in constant time in closed form, else after as many steps as are needed. Throws
    * - std::out_of_range where stepsTo(t) is infinite (t not finite, or 2⁵³ steps away), like prepare();
-   * - std::range_error where the state has left the range of doubles: no state is returned that is not finite.
+   * - std::range_error where the state has left the range of doubles: no state is returned that is not finite;
+   * - NoConvergence where an implicit method does not get there.
    */
   MotionState at(double t);
 

@@ -23,6 +23,8 @@ struct RotationState {
   Eigen::Vector3d kept_momentum = Eigen::Vector3d::Zero();  ///< L in world axes
   double kept_inverse_square = 0;                           ///< 1/|L|², 0 at rest
   int steps_since_restored = 0;
+  /** 2E/|L|² at the start, for methods whose constants depend on E: in units of their own, 0 where not known. */
+  double kept_inverse_inertia = 0;
 
   static RotationState fromOmega(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
                                  const Eigen::Vector3d& omega_body) {
@@ -38,6 +40,7 @@ struct RotationState {
     kept_momentum = momentumWorld();
     const double square = kept_momentum.squaredNorm();
     kept_inverse_square = square > 0 ? 1 / square : 0;
+    kept_inverse_inertia = 0;
   }
 
   Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }

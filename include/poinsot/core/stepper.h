@@ -15,8 +15,10 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
 
-  /** Takes `count` steps of `step` seconds (either sign). Allocates nothing; the one virtual call is a batch's, not a
-   * step's. */
+  /**
+   * Takes `count` steps of `step` seconds (either sign). Allocates nothing; the one virtual call is a batch's, not a
+   * step's. Throws NoConvergence where an implicit method finds no step; `state` is then as it was.
+   */
   virtual void advance(RotationState& state, double step, std::int64_t count) const = 0;
 };
 

@@ -12,9 +12,10 @@ namespace poinsot::steppers {
  * The increments of Λ are summed with compensation.
  *
  * Component by component: vector instructions that reload what was just stored piecewise would take twice the time.
+ *
+ * @param turn exp(θ), for those who know it without a sine.
  */
-inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
-  const HalfTurn turn = halfTurn(theta);
+inline void rotate(RotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
   const double v0 = theta[0], v1 = theta[1], v2 = theta[2];
   double* const p = state.momentum_body.data();
   double* const rest = state.momentum_rest.data();
@@ -39,6 +40,17 @@ inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
   q[1] = unit * ny;
   q[2] = unit * nz;
   q[3] = unit * nw;
+}
+
+inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
+  rotate(state, theta, halfTurn(theta));
+}
+
+/** exp(−θ)Λ: Λ as seen from the body after it has turned by θ. */
+inline Eigen::Vector3d turnedBack(const Eigen::Vector3d& momentum, const Eigen::Vector3d& theta) {
+  const HalfTurn turn = halfTurn(theta);
+  const Eigen::Vector3d once = theta.cross(momentum);
+  return momentum + (0.5 * turn.s * turn.s) * theta.cross(once) - (turn.c * turn.s) * once;
 }
 
 }  // namespace poinsot::steppers
