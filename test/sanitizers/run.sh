@@ -11,6 +11,8 @@ programs=(test_core test_closed_form_rows test_closed_form_properties test_hard_
 
 export build=$build/sanitized
 build_package -DPOINSOT_SANITIZE=ON misuse "${programs[@]}"
+# A sourced setup.bash puts the ordinary library before the programs' own RUNPATH; its allocator is not the sanitizer's.
+export LD_LIBRARY_PATH=$build/devel/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export UBSAN_OPTIONS=print_stacktrace=1
 # Property tests draw fewer cases: the full number has run without sanitizers.
 export RC_PARAMS="seed=1758 max_success=400 noshrink=1"
@@ -37,6 +39,7 @@ expect nothing_wrong 0 'nothing was caught' "$misuse" none
 expect out_of_bounds_is_caught 1 'AddressSanitizer: heap-buffer-overflow' "$misuse" out_of_bounds
 expect overflow_is_caught 1 'signed integer overflow' "$misuse" overflow
 for program in "${programs[@]}"; do
+  expect "${program}_loads_the_sanitized_library" 0 "libpoinsot_core.so => $build/" ldd "$build/devel/lib/poinsot/$program"
   expect "$program" 0 '^\[  PASSED  \] [1-9][0-9]* test' "$build/devel/lib/poinsot/$program" \
     --gtest_filter='-OlderProcessors*:*sample/others*:ClosedFormAnyInput*:*samplesAreSingleEvaluations*'
 done
