@@ -8,7 +8,6 @@ inline poinsot::BodyState spinOfTop(double t) {
   poinsot::MotionSetup setup;
   setup.inertia = poinsot::PrincipalInertia::fromMoments({1, 1, 2});
   setup.omega_body = {0, 0, 0.5};
-  setup.step = 0.01;
   const poinsot::MotionState state = poinsot::Motion(setup).at(t);
 
   poinsot::BodyState message;
