@@ -45,6 +45,7 @@ Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate
     : name_(body.name),
       frames_(frame_prefix, body.name),
       motion_(scene::motionSetup(body)),
+      accuracy_(body.accuracy ? body.accuracy->error : std::numeric_limits<double>::quiet_NaN()),
       picture_(body, motion_, frames_),
       state_(motion_.at(0)),
       cost_(motion_, rate) {
@@ -139,7 +140,7 @@ BodyDescription Body::description() const {
   out.principal_axes = toQuaternion(setup.inertia.axes());
   out.method = setup.method;
   out.step = setup.step.value_or(std::numeric_limits<double>::quiet_NaN());
-  out.accuracy = std::numeric_limits<double>::quiet_NaN();
+  out.accuracy = accuracy_;
   if (setup.translation) out.effects.push_back(text(*setup.translation));
   out.metres_per_radian_per_second = picture_.scale().metres_per_radian_per_second;
   out.metres_per_angular_momentum = picture_.scale().metres_per_angular_momentum;

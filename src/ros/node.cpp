@@ -59,6 +59,7 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
       private_handle_(private_handle),
       diagnostics_(handle, private_handle) {
   for (const std::string& warning : parameters.scene.warnings) ROS_WARN("%s", warning.c_str());
+  for (const std::string& choice : parameters.choices) ROS_INFO("%s", choice.c_str());
   if (parameters.publish_clock) {
     if (!ros::Time::isSimTime()) ROS_WARN("~publish_clock is on, but /use_sim_time is not set: nobody follows /clock");
     clock_publisher_ = handle_.advertise<rosgraph_msgs::Clock>(names::kClock, 10);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "poinsot/cost/settle.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/reader.h"
@@ -88,6 +89,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
             << " Hz is";
     throw ParameterError(message.str());
   }
+  out.choices = cost::settleMethods(out.scene, out.rate);
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
     out.publish_clock = static_cast<bool>(value);

@@ -24,13 +24,8 @@ Place withName(const Place& place) {
 }
 
 void checkKeys(const Fields& fields) {
-  std::vector<std::string> keys = {"name",   "inertia", "shape",  "attitude", "angular_velocity",
-                                   "method", "step",    "effects"};
-  // Known to be refused with a reason of their own, so they are not offered.
-  for (const char* key : {"accuracy", "horizon"}) {
-    if (fields.find(key)) keys.push_back(key);
-  }
-  fields.allowOnly(keys);
+  fields.allowOnly(
+      {"name", "inertia", "shape", "attitude", "angular_velocity", "method", "step", "accuracy", "horizon", "effects"});
 }
 
 void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::string>& warnings) {

@@ -10,18 +10,35 @@
 namespace poinsot::scene {
 namespace {
 
+const char* const kAnyStepper = "stepper";  // beside an accuracy: any method but the closed form
+constexpr double kLargestAccuracy = 1;      // rad
+
 std::vector<std::string> namesOfMethods() {
   std::vector<std::string> names = {kClosedForm};
   for (const Method& method : methods()) names.push_back(method.name);
+  names.push_back(kAnyStepper);
   return names;
 }
 
-/** Every name that some version of the package has; what this version has is known before this. */
-const std::vector<std::string>& plannedMethods() {
-  static const std::vector<std::string> names = {
-      "lie_euler",  "buss2",      "buss3", "buss4", "rk4",  "rkmk4", "cf4",   "midpoint", "splitting2",
-      "splitting4", "splitting6", "dmv2",  "dmv4",  "dmv6", "dmv8",  "dmv10", "stepper"};
-  return names;
+/** @param method empty where the scene names none. */
+Accuracy readAccuracy(const Place& place, const Fields& fields, const std::string& method) {
+  Accuracy out;
+  out.error = readNumber(place, quantity::kAngleError);
+  if (!(out.error <= kLargestAccuracy)) {
+    place.refuse(shownNumber(out.error) + " is more than a wrong attitude can be told from a right one",
+                 "a positive number up to " + shownNumber(kLargestAccuracy) + " (rad)");
+  }
+  out.horizon =
+      readNumber(fields.require("horizon", "how long the accuracy must hold, " + allowedNumber(quantity::kDuration)),
+                 quantity::kDuration);
+  if (!method.empty() && method != kAnyStepper) {
+    out.candidates = {method};
+  } else {
+    if (method.empty()) out.candidates.push_back(kClosedForm);
+    for (const Method& candidate : methods()) out.candidates.push_back(candidate.name);
+  }
+  out.place = place.message("");
+  return out;
 }
 
 /** To two digits, never upwards. */
@@ -49,14 +66,25 @@ void judge(const Place& place, const Body& body, std::vector<std::string>& warni
 }  // namespace
 
 void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warnings) {
-  for (const char* key : {"accuracy", "horizon"}) {
-    if (const auto place = fields.find(key)) {
-      place->refuse(std::string(key) + " is not in this version", "method and step");
-    }
-  }
   const auto method = fields.find("method");
   const auto step = fields.find("step");
-  if (method) body.method = readChoice(*method, namesOfMethods(), plannedMethods());
+  const auto accuracy = fields.find("accuracy");
+  if (const auto horizon = fields.find("horizon"); horizon && !accuracy) {
+    horizon->refuse("a horizon says how long an accuracy must hold, and the key accuracy is missing",
+                    "accuracy beside it, " + allowedNumber(quantity::kAngleError));
+  }
+  if (method) body.method = readChoice(*method, namesOfMethods(), {});
+  if (accuracy) {
+    body.accuracy = readAccuracy(*accuracy, fields, method ? body.method : std::string());
+    if (step) {
+      step->refuse("the key accuracy stands beside it, from which the step follows", "accuracy or step, not both");
+    }
+    return;
+  }
+  if (body.method == kAnyStepper) {
+    method->refuse("stepper leaves it to an accuracy which one, and the key accuracy is missing",
+                   "accuracy and horizon beside it, or one of " + methodNames() + " and a step");
+  }
   if (body.method == kClosedForm) {
     if (!step) return;
     step->refuse(

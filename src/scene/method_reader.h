@@ -9,7 +9,8 @@
 namespace poinsot::scene {
 
 /**
- * The body's method and its step, from the keys `method` and `step`; the closed form where there are none. Inertia and
+ * The body's method and its step, from the keys `method` and `step`, or the accuracy that is wanted instead, from
+ * `accuracy` and `horizon`; the closed form where there are none. Inertia and
  * angular velocity are read already: a step that is hopeless for this body is refused, of a doubtful one a warning is
  * appended.
  */

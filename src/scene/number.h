@@ -26,7 +26,9 @@ constexpr Quantity kVelocity{false, "m/s"};
 constexpr Quantity kAcceleration{false, "m/s²"};
 constexpr Quantity kAngularVelocity{false, "rad/s"};
 constexpr Quantity kAngle{false, "rad"};
+constexpr Quantity kAngleError{true, "rad"};
 constexpr Quantity kStep{true, "s"};
+constexpr Quantity kDuration{true, "s"};
 constexpr Quantity kQuaternionEntry{false, ""};
 }  // namespace quantity
 

@@ -3,11 +3,14 @@
 #include <ros/node_handle.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "poinsot/cost/method_costs.h"
+#include "poinsot/cost/settle.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/scene/reader.h"
 
@@ -18,12 +21,26 @@ constexpr int kBadUse = 2;
 
 int check(const std::string& file) {
   try {
-    for (const std::string& warning : poinsot::scene::readFile(file).warnings) std::cerr << warning << "\n";
+    poinsot::scene::Scene scene = poinsot::scene::readFile(file);
+    for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
+    const double rate = scene.rate.value_or(poinsot::scene::kDefaultRate);
+    for (const std::string& choice : poinsot::cost::settleMethods(scene, rate)) std::cout << choice << "\n";
     return 0;
   } catch (const poinsot::scene::Error& error) {
     std::cerr << error.what() << "\n";
     return kBadUse;
   }
+}
+
+int measureCosts() {
+  const std::string file = poinsot::cost::defaultCostFile();
+  const auto costs = poinsot::cost::costsOfThisMachine(file, true);
+  std::printf("%-12s %14s %14s\n", "method", "ns per state", "ns per step");
+  for (const auto& [name, cost] : costs.all()) {
+    std::printf("%-12s %14.0f %14.0f\n", name.c_str(), 1e9 * cost.per_state, 1e9 * cost.per_step);
+  }
+  std::printf("kept in %s\n", file.c_str());
+  return 0;
 }
 
 }  // namespace
@@ -39,12 +56,14 @@ int main(int argc, char** argv) {
       "poinsot_node");
   std::string file;
   app.add_option("--check", file, "only read and validate this scene file: exit 0 when it is good, 2 when not");
+  app.add_flag("--measure-costs", "only measure again what the methods cost here, by which accuracy: is met");
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUse;
   }
   if (app.count("--check") > 0) return check(file);
+  if (app.count("--measure-costs") > 0) return measureCosts();
 
   ros::init(argc, argv, "poinsot");
   // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.

@@ -8,8 +8,9 @@ namespace poinsot::cost {
 
 /** CPU time of a method, in seconds. */
 struct MethodCost {
-  double per_state;  ///< of asking a motion for its state once, steps apart; for a stepper one partial step is part of it
-  double per_step;   ///< of one more whole step; 0 for the closed form
+  double
+      per_state;  ///< of asking a motion for its state once, steps apart; for a stepper one partial step is part of it
+  double per_step;  ///< of one more whole step; 0 for the closed form
 };
 
 /** By name of method, "closed_form" among them. */

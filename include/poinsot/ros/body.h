@@ -53,6 +53,7 @@ class Body {
   std::string name_;
   names::Frames frames_;
   Motion motion_;
+  double accuracy_;  ///< asked for [rad], NaN where none was
   BodyPicture picture_;
   MotionState state_;
   std::optional<std::uint32_t> segment_;

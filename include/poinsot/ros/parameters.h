@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "poinsot/scene/scene.h"
 
@@ -11,7 +12,8 @@ namespace poinsot::node {
 
 /** The node's private parameters, validated. */
 struct Parameters {
-  scene::Scene scene;
+  scene::Scene scene;                 ///< with a method and a step for every body
+  std::vector<std::string> choices;   ///< what was chosen for bodies that name an accuracy, a sentence each
   double rate = scene::kDefaultRate;  ///< [Hz]
   bool publish_clock = false;
   std::string frame_prefix;

@@ -13,6 +13,14 @@
 
 namespace poinsot::scene {
 
+/** How exact a body's motion must be, where the scene says this instead of a method and a step. */
+struct Accuracy {
+  double error;                         ///< of the attitude, at most [rad]
+  double horizon;                       ///< for 0 ≤ t ≤ horizon [s]
+  std::vector<std::string> candidates;  ///< methods to choose from, at least one
+  std::string place;                    ///< what a message about it begins with
+};
+
 /** One body of a scene, validated. All vectors refer to the axes in which the inertia is given. */
 struct Body {
   std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
@@ -21,7 +29,8 @@ struct Body {
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;
-  std::optional<double> step;  ///< [s]; every method but the closed form has one
+  std::optional<double> step;        ///< [s]; every method but the closed form has one
+  std::optional<Accuracy> accuracy;  ///< then method and step are still to be chosen (cost/settle.h)
   std::optional<Translation> translation;
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poinsot/scene/scene.h"
+
+namespace poinsot::cost {
+
+/**
+ * Gives every body whose scene names an accuracy a method and a step (choice.h), by the costs of this machine.
+ * @param rate at which states will be asked for [Hz].
+ * @return a sentence for each such body: what was chosen, the estimated and the verified error, and the cost.
+ * Throws scene::Error, with the place of the accuracy, where it is out of reach.
+ */
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate);
+
+}  // namespace poinsot::cost

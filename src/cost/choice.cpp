@@ -1,0 +1,261 @@
+#include "poinsot/cost/choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "poinsot/core/no_convergence.h"
+#include "poinsot/core/rotation.h"
+#include "poinsot/core/step_limits.h"
+#include "poinsot/core/stepper.h"
+
+namespace poinsot::cost {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kLeastVerified = 2 * kClosedFormError;  // [rad]: below it the judge is no more exact than the judged
+constexpr double kAim = 0.8;                             // of the accuracy: what is looked for
+constexpr double kGiveUp = 30;           // times the accuracy: how wrong a trial may become before it ends
+constexpr double kMostSteps = 5e7;       // of one trial: some seconds
+constexpr std::int64_t kLooks = 4096;    // of one trial
+constexpr double kMostTicks = 1e6;       // to be verified one by one
+constexpr double kNearEnough = 1.1;      // two steps with this ratio are not told apart
+constexpr int kMostTrials = 20;          // to one method
+constexpr int kMostWithoutProgress = 4;  // of them
+constexpr int kMostCorrections = 6;      // after a verification that failed
+constexpr double kLongestAngle = 2;      // rad: no step is tried that turns the body by more, unless it is a tick
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/** How near a method came. */
+struct Nearest {
+  std::string method;
+  double error = kInfinite;
+  bool steps_ran_out = false;  ///< not rounding but the number of steps stood in the way
+};
+
+class Search {
+ public:
+  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs)
+      : setup_(setup),
+        wish_(wish),
+        costs_(costs),
+        start_(RotationState::fromOmega(setup.inertia.moments(), setup.attitude.normalized() * setup.inertia.axes(),
+                                        setup.inertia.axes().conjugate() * setup.omega_body)),
+        exact_(setup.inertia.moments(), start_.attitude, start_.omegaBody(setup.inertia.moments())) {
+    const double fastest =
+        orbitRates(setup.inertia.moments(), setup.inertia.axes().conjugate() * setup.omega_body).fastest();
+    longest_ = std::min(wish.horizon, std::max(1 / wish.rate, fastest > 0 ? kLongestAngle / fastest : wish.horizon));
+  }
+
+  Choice run() {
+    for (const std::string& name : wish_.candidates) {
+      if (name == kClosedForm) tryClosedForm();
+    }
+    // Higher orders first: what they cost rules most others out before these have taken a step.
+    std::vector<const Method*> steppers;
+    for (const std::string& name : wish_.candidates) {
+      if (const Method* method = findMethod(name)) steppers.push_back(method);
+    }
+    std::stable_sort(steppers.begin(), steppers.end(), [](const Method* a, const Method* b) {
+      return std::pair(a->conserves_energy, a->order) > std::pair(b->conserves_energy, b->order);
+    });
+    if (wish_.accuracy >= kLeastVerified) {
+      for (const Method* method : steppers) tryStepper(*method);
+    }
+    if (best_.method.empty()) refuse();
+    return best_;
+  }
+
+ private:
+  struct Trial {
+    double error;    ///< greatest so far [rad]
+    double reached;  ///< when it was given up, or the horizon [s]
+  };
+
+  bool improves(double cost) const { return best_.method.empty() || cost < best_.cost; }
+
+  double costOf(const Method& method, double step) const {
+    return costs_.perSimulatedSecond(method.name, step, wish_.rate);
+  }
+
+  void tryClosedForm() {
+    if (wish_.accuracy < kClosedFormError) {
+      note(kClosedForm, kClosedFormError, false);
+      return;
+    }
+    best_ = {kClosedForm, std::nullopt, kClosedFormError, kClosedFormError,
+             costs_.perSimulatedSecond(kClosedForm, 0, wish_.rate)};
+  }
+
+  void note(const std::string& method, double error, bool steps_ran_out) {
+    if (error <= nearest_.error) nearest_ = {method, error, steps_ran_out};
+  }
+
+  /** Runs to the horizon, or until the error is far above the accuracy. */
+  Trial walk(const Stepper& stepper, double step) const {
+    const auto steps = static_cast<std::int64_t>(std::ceil(wish_.horizon / step));
+    const std::int64_t looks = std::min(steps, kLooks);
+    RotationState state = start_;
+    Trial trial{0, 0};
+    std::int64_t n = 0;
+    for (std::int64_t k = 1; k <= looks; ++k) {
+      const auto next =
+          static_cast<std::int64_t>(static_cast<double>(steps) * static_cast<double>(k) / static_cast<double>(looks));
+      try {
+        stepper.advance(state, step, next - n);
+      } catch (const NoConvergence&) {
+        return {kInfinite, trial.reached};
+      }
+      n = next;
+      trial.reached = static_cast<double>(n) * step;
+      const double error = angleBetween(state.attitude, exact_.at(trial.reached).attitude);
+      if (!(error <= 4)) return {kInfinite, trial.reached};
+      trial.error = std::max(trial.error, error);
+      if (trial.error > kGiveUp * wish_.accuracy) break;
+    }
+    return trial;
+  }
+
+  /** What the error would have become by the horizon, at least. */
+  double extrapolated(const Trial& trial) const { return trial.error * std::max(1.0, wish_.horizon / trial.reached); }
+
+  /** The factor on a step that brings an error to the aim. */
+  double correction(const Method& method, double error) const {
+    return std::pow(kAim * wish_.accuracy / error, 1.0 / method.order);
+  }
+
+  struct Found {
+    double step = 0;  ///< 0: none
+    double error = 0;
+  };
+
+  /** The longest step that keeps the accuracy and costs less than the best so far. */
+  Found longestStep(const Method& method) {
+    const auto stepper = method.make(setup_.inertia.moments());
+    Found good;
+    double bad = kInfinite, last_error = kInfinite, last_reached = 0, last_step = 0, step = longest_;
+    int without_progress = 0;
+    for (int i = 0; i < kMostTrials; ++i) {
+      if (!improves(costOf(method, step))) break;
+      if (wish_.horizon / step > kMostSteps) {
+        if (good.step == 0 && last_error < kInfinite) note(method.name, last_error, true);
+        break;
+      }
+      const Trial trial = walk(*stepper, step);
+      double next;
+      if (trial.error <= wish_.accuracy) {
+        good = {step, trial.error};
+        if (step >= longest_) break;
+        next = step * std::min(4.0, correction(method, std::max(trial.error, 1e-3 * wish_.accuracy)));
+        if (bad < kInfinite) next = std::min(next, std::sqrt(good.step * bad));
+        next = std::min(next, longest_);
+        if (next < kNearEnough * good.step) break;
+      } else {
+        bad = std::min(bad, step);
+        if (good.step > 0) {
+          if (bad < kNearEnough * good.step) break;
+          next = std::sqrt(good.step * bad);
+        } else if (!(trial.error < 0.3)) {
+          next = 0.5 * step;
+        } else {
+          const double error = extrapolated(trial);
+          // Where shorter steps bring neither less error nor a later one, rounding is what is left.
+          const bool better =
+              error < 0.9 * last_error && (trial.reached >= wish_.horizon || trial.reached > 1.02 * last_reached);
+          if (step <= last_step / 1.4) without_progress = better ? 0 : without_progress + 1;
+          note(method.name, error, false);
+          if (without_progress == kMostWithoutProgress) break;
+          last_error = error;
+          last_reached = trial.reached;
+          last_step = step;
+          next = step * std::clamp(correction(method, error), 1e-3, 0.7);
+        }
+      }
+      step = next;
+    }
+    return good;
+  }
+
+  /** Compares the motion as it will be asked for its states with the closed form. */
+  double verified(const Method& method, double step) const {
+    MotionSetup setup = setup_;
+    setup.method = method.name;
+    setup.step = step;
+    Motion motion(setup);
+    const double ticks = std::floor(wish_.horizon * wish_.rate), stride = std::max(1.0, ticks / kMostTicks);
+    double worst = 0;
+    const auto look = [&](double t) {
+      const double error = motion.attitudeError(motion.at(t));
+      worst = error <= worst ? worst : error;  // also where it is undefined
+      return worst <= wish_.accuracy;
+    };
+    for (double k = 1; k <= ticks; k += stride) {
+      if (!look(std::floor(k) / wish_.rate)) return worst;
+    }
+    look(wish_.horizon);
+    return worst;
+  }
+
+  void tryStepper(const Method& method) {
+    if (!improves(costOf(method, kInfinite))) return;
+    Found found = longestStep(method);
+    for (int i = 0; found.step > 0 && i < kMostCorrections; ++i) {
+      const double cost = costOf(method, found.step);
+      if (!improves(cost)) return;
+      double error = kInfinite;
+      try {
+        error = verified(method, found.step);
+      } catch (const std::runtime_error&) {  // range_error, NoConvergence: worse than any error
+      }
+      if (error <= wish_.accuracy - kClosedFormError) {
+        best_ = {method.name, found.step, found.error, error, cost};
+        return;
+      }
+      note(method.name, error, false);
+      found.step *= std::clamp(correction(method, error), 0.3, 0.95);
+    }
+  }
+
+  [[noreturn]] void refuse() const {
+    std::string why = "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones";
+    if (wish_.candidates.size() == 1) why = wish_.candidates.front();
+    why += wish_.candidates.size() == 1 ? " does not keep to " : " keeps to ";
+    why += shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) + " s on this body";
+    if (wish_.accuracy < kClosedFormError) {
+      why += ": nothing is verified beyond the " + shown(kClosedFormError) + " rad to which the closed form is known";
+    } else if (wish_.accuracy < kLeastVerified && nearest_.error == kInfinite) {
+      why += ": steppers are verified by the closed form, which is known to " + shown(kClosedFormError) + " rad itself";
+    } else if (!(nearest_.error < 0.1)) {
+      why += ", nor comes near";
+      if (nearest_.steps_ran_out) why += " within " + shown(kMostSteps) + " steps";
+    } else {
+      why += ": " + nearest_.method + " comes nearest with about " + shown(nearest_.error) + " rad, and then " +
+             (nearest_.steps_ran_out ? "takes more than " + shown(kMostSteps) + " steps to be tried"
+                                     : "rounding is in the way");
+    }
+    throw Unreachable(why);
+  }
+
+  MotionSetup setup_;
+  Wish wish_;
+  const MethodCosts& costs_;
+  RotationState start_;
+  ClosedForm exact_;
+  double longest_;  ///< step to begin with [s]
+  Choice best_;
+  Nearest nearest_;
+};
+
+}  // namespace
+
+Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+  return Search(setup, wish, costs).run();
+}
+
+}  // namespace poinsot::cost
