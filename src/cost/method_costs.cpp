@@ -47,7 +47,7 @@ MethodCost measure(const std::string& method) {
   setup.method = method;
   if (method != kClosedForm) setup.step = kStep;
   const Motion start(setup);
-  volatile double sink = 0;
+  [[maybe_unused]] volatile double sink = 0;
   // A whole step, and then a partial one, to each state.
   const double state =
       fastest(start, kStates, [&](Motion& motion, int i) { sink = motion.at((i + 0.5) * kStep).attitude.w(); });
