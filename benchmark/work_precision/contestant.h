@@ -20,7 +20,8 @@ struct Problem {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();               ///< at t = 0 [rad/s], body axes
 };
 
-/** What a contestant answers for one time. As it comes: the attitude is normalised only if the solver does so itself. */
+/** What a contestant answers for one time. As it comes: the attitude is normalised only if the solver does so itself.
+ */
 struct Answer {
   double time = 0;  ///< [s]
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
@@ -28,33 +29,33 @@ struct Answer {
 };
 
 /** What a run took. */
-struct Work {
+struct Effort {
   static constexpr std::int64_t kUnknown = -1;
-  std::int64_t steps = 0;                 ///< of the solver, those it rejected included
-  std::int64_t evaluations = kUnknown;    ///< of the right-hand side, or of the equation that an implicit method solves
-  std::int64_t exponentials = 0;          ///< of SO(3)
+  std::int64_t steps = 0;               ///< of the solver, those it rejected included
+  std::int64_t evaluations = kUnknown;  ///< of the right-hand side, or of the equation that an implicit method solves
+  std::int64_t exponentials = 0;        ///< of SO(3)
 };
 
-/** Called with what the solver holds after a step of its own: any reference in it is valid during the call only. */
+/** Called with what the solver holds after a step of its own, at least 200 times in a run of more steps. */
 using Watch = std::function<void(const Answer&)>;
 
-/** A solver made ready for one problem at one setting. All that a user would do once for a body is done; what depends on the
- * start or the horizon is part of a run. */
+/** A solver made ready for one problem at one setting. All that a user would do once for a body is done; what depends
+ * on the start or the horizon is part of a run. */
 class Run {
  public:
   virtual ~Run() = default;
 
   /**
    * From the start to `horizon` > 0 by the solver's own steps; returns the state at exactly `horizon`.
-   * @param watch called after every step, where it is set. Timed runs have none: then nothing is paid for it in the loop.
+   * @param watch called after steps, where it is set. Timed runs have none: then nothing is paid for it in the loop.
    */
-  virtual Answer shot(double horizon, const Watch& watch, Work& work) = 0;
+  virtual Answer shot(double horizon, const Watch& watch, Effort& effort) = 0;
 
   /**
    * The states at t = interval, 2·interval, … count·interval, into `out`, which has room for them, as the solver gives
    * them best: dense output where it has one, else steps that hit the times.
    */
-  virtual void ticks(double interval, std::int64_t count, Answer* out, Work& work) = 0;
+  virtual void ticks(double interval, std::int64_t count, Answer* out, Effort& effort) = 0;
 };
 
 /** One method of one package, with one way to set its accuracy. */

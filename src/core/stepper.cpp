@@ -82,6 +82,19 @@ struct Planned<Scheme, std::void_t<typename Scheme::Plan>> {
   static auto plan(const Scheme& scheme, const RotationState& state, double step) { return scheme.plan(state, step); }
 };
 
+/** Takes the steps; an implicit method says how many iterations each took. */
+template <class Scheme, class Plan>
+[[gnu::always_inline]] inline Work take(const Scheme& scheme, RotationState& state, const Plan& plan, std::int64_t count) {
+  if constexpr (std::is_same_v<decltype(scheme.step(state, plan)), int>) {
+    Work work;
+    for (std::int64_t i = 0; i < count; ++i) work += Scheme::work(scheme.step(state, plan));
+    return work;
+  } else {
+    for (std::int64_t i = 0; i < count; ++i) scheme.step(state, plan);
+    return count * Scheme::kWork;
+  }
+}
+
 /**
  * Runs a method's inline step() in a plain loop. The method sees moments and momenta of an ordinary size: extreme ones
  * are scaled by powers of two, and the step with them, which changes no digit of the result. Where it keeps L, rounding
@@ -96,31 +109,32 @@ class BatchStepper final : public Stepper {
         moments_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })),
         scheme_(moments_) {}
 
-  void advance(RotationState& state, double step, std::int64_t count) const override {
+  Work advance(RotationState& state, double step, std::int64_t count) const override {
     const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
     if (momentum_scale == 0 && moments_scale_ == 0) {
-      run(state, step, count);
-    } else {
-      scale(state, -momentum_scale);
-      run(state, std::ldexp(step, momentum_scale - moments_scale_), count);
-      scale(state, momentum_scale);
+      return run(state, step, count);
     }
+    scale(state, -momentum_scale);
+    const Work work = run(state, std::ldexp(step, momentum_scale - moments_scale_), count);
+    scale(state, momentum_scale);
+    return work;
   }
 
  private:
-  void run(RotationState& state, double step, std::int64_t count) const {
+  Work run(RotationState& state, double step, std::int64_t count) const {
     RotationState s = state;
     if constexpr (steps_between_restorations == 0) {
-      for (std::int64_t i = 0; i < count; ++i) scheme_.step(s, step);
+      const Work work = take(scheme_, s, step, count);
       state = s;
-      return;
+      return work;
     }
     findKept(s, moments_);
     const auto plan = Planned<Scheme>::plan(scheme_, s, step);
+    Work work;
     while (count > 0) {
       const int due = std::max(1, steps_between_restorations - s.steps_since_restored);
       const int some = static_cast<int>(std::min<std::int64_t>(count, due));
-      for (int i = 0; i < some; ++i) scheme_.step(s, plan);
+      work += take(scheme_, s, plan, some);
       count -= some;
       s.steps_since_restored += some;
       if (s.steps_since_restored < steps_between_restorations) break;
@@ -129,6 +143,7 @@ class BatchStepper final : public Stepper {
       dropRemainders(s, unstable_axis_);
     }
     state = s;
+    return work;
   }
 
   int moments_scale_, unstable_axis_;

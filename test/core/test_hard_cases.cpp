@@ -44,8 +44,9 @@ template <class Scheme>
 class PlainStepper final : public Stepper {
  public:
   explicit PlainStepper(const Vector3d& moments) : scheme_{moments} {}
-  void advance(RotationState& state, double step, std::int64_t count) const override {
+  Work advance(RotationState& state, double step, std::int64_t count) const override {
     for (std::int64_t i = 0; i < count; ++i) scheme_.step(state, step);
+    return Work();
   }
 
  private:

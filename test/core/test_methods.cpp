@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "draws.h"
@@ -79,4 +80,27 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, ::testing::ValuesIn(names()),
                          [](const auto& info) { return info.param; });
 
 }  // namespace
+TEST(Methods, sayWhatTheirStepsTook) {
+  const Eigen::Vector3d moments(1, 2, 3);
+  const std::map<std::string, Work> one_step = {
+      {"lie_euler", {1, 1}}, {"buss2", {2, 1}},      {"buss3", {3, 1}},       {"buss4", {4, 1}},       {"rk4", {4, 0}},
+      {"rkmk4", {4, 4}},     {"splitting2", {0, 4}}, {"splitting4", {0, 14}}, {"splitting6", {0, 22}}, {"cf4", {4, 5}}};
+  for (const Method& method : methods()) {
+    SCOPED_TRACE(method.name);
+    const auto stepper = method.make(moments);
+    RotationState state = RotationState::fromOmega(moments, Eigen::Quaterniond::Identity(), {0.6, 0.5, 0.7});
+    const Work work = stepper->advance(state, 0.1, 50);
+    if (const auto expected = one_step.find(method.name); expected != one_step.end()) {
+      EXPECT_EQ(work.evaluations, 50 * expected->second.evaluations);
+      EXPECT_EQ(work.exponentials, 50 * expected->second.exponentials);
+      continue;
+    }
+    // Implicit: between one and ten iterations a step, and more of them the longer the step.
+    EXPECT_GE(work.evaluations, 50);
+    EXPECT_LE(work.evaluations, 50 * 12);
+    EXPECT_GE(stepper->advance(state, 0.8, 50).evaluations, work.evaluations);
+    EXPECT_LE(stepper->advance(state, 1e-6, 50).evaluations, work.evaluations);
+  }
+}
+
 }  // namespace poinsot

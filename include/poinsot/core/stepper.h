@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "poinsot/core/rotation_state.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot {
 
@@ -17,9 +18,10 @@ class Stepper {
 
   /**
    * Takes `count` steps of `step` seconds (either sign). Allocates nothing; the one virtual call is a batch's, not a
-   * step's. Throws NoConvergence where an implicit method finds no step; `state` is then as it was.
+   * step's. Returns what it took. Throws NoConvergence where an implicit method finds no step; `state` is then as it
+   * was.
    */
-  virtual void advance(RotationState& state, double step, std::int64_t count) const = 0;
+  virtual Work advance(RotationState& state, double step, std::int64_t count) const = 0;
 };
 
 /** One row of the table of methods. */

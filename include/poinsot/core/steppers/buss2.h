@@ -1,6 +1,7 @@
 #pragma once
 
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -16,6 +17,8 @@ namespace poinsot::steppers {
  */
 class Buss2 {
  public:
+  static constexpr Work kWork = {2, 1};  ///< of a step
+
   explicit Buss2(const Eigen::Vector3d& moments)
       : inverse_(moments.cwiseInverse()),
         twelfths_(Eigen::Vector3d(moments[1] - moments[2], moments[2] - moments[0], moments[0] - moments[1])

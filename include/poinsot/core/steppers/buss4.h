@@ -2,6 +2,7 @@
 
 #include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/steppers/taylor.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -14,6 +15,8 @@ namespace poinsot::steppers {
  */
 class Buss4 {
  public:
+  static constexpr Work kWork = {4, 1};  ///< of a step
+
   explicit Buss4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()), euler_(moments) {}
 
   void step(RotationState& state, double h) const {

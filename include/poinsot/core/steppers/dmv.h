@@ -7,6 +7,7 @@
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/steppers/modified_moments.h"
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -37,7 +38,11 @@ class Dmv {
     return {modifiedInverses<order / 2>(moments_, state.kept_inverse_inertia, half_angular), size > 0 ? 1 / size : 0};
   }
 
-  void step(RotationState& state, const Plan& plan) const {
+  /** Of one step; the first terms of the series are two evaluations. */
+  static constexpr Work work(int iterations) { return {iterations + 2, 1}; }
+
+  /** @return iterations. */
+  int step(RotationState& state, const Plan& plan) const {
     const double* const p = state.momentum_body.data();
     const double n0 = plan.inverse_momentum * p[0], n1 = plan.inverse_momentum * p[1],
                  n2 = plan.inverse_momentum * p[2];
@@ -70,7 +75,7 @@ class Dmv {
       // Squared once more by convergence, that is below the last bit.
       if (d0 * d0 + d1 * d1 + d2 * d2 <= kSmallChange) {
         turn(state, b0 * g0, b1 * g1, b2 * g2);
-        return;
+        return i + 1;
       }
     }
     throw NoConvergence("dmv" + std::to_string(order));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -13,6 +14,8 @@ namespace poinsot::steppers {
  */
 class LieEuler {
  public:
+  static constexpr Work kWork = {1, 1};  ///< of a step
+
   explicit LieEuler(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
   void step(RotationState& state, double h) const {

@@ -5,6 +5,7 @@
 
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -19,7 +20,11 @@ class Midpoint {
  public:
   explicit Midpoint(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
-  void step(RotationState& state, double h) const {
+  /** Of one step. */
+  static constexpr Work work(int iterations) { return {iterations, iterations + 1}; }
+
+  /** @return iterations. */
+  int step(RotationState& state, double h) const {
     const Eigen::Vector3d& p = state.momentum_body;
     const Eigen::Vector3d p0(p[0], p[1], p[2]), scale = h * inverse_;
     Eigen::Vector3d theta = scale.cwiseProduct(p0);
@@ -32,7 +37,7 @@ class Midpoint {
       // Small enough, or as small as rounding lets it become.
       if (moved <= 1e-32 * size || (moved <= 1e-28 * size && moved >= 0.25 * last)) {
         rotate(state, theta);
-        return;
+        return i + 1;
       }
       last = moved;
     }

@@ -4,6 +4,7 @@
 
 #include "poinsot/core/compensated_sum.h"
 #include "poinsot/core/rotation_state.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -20,6 +21,8 @@ namespace poinsot::steppers {
  */
 class Rk4 {
  public:
+  static constexpr Work kWork = {4, 0};  ///< of a step
+
   explicit Rk4(const Eigen::Vector3d& moments)
       : moments_(moments),
         differences_(moments.y() - moments.z(), moments.z() - moments.x(), moments.x() - moments.y()) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -12,6 +13,8 @@ namespace poinsot::steppers {
  */
 class Rkmk4 {
  public:
+  static constexpr Work kWork = {4, 4};  ///< of a step
+
   explicit Rkmk4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
   void step(RotationState& state, double h) const {
@@ -25,7 +28,8 @@ class Rkmk4 {
   }
 
  private:
-  static Eigen::Vector3d rate(const Eigen::Vector3d& scale, const Eigen::Vector3d& p0, const Eigen::Vector3d& theta) {
+  [[gnu::always_inline]] static Eigen::Vector3d rate(const Eigen::Vector3d& scale, const Eigen::Vector3d& p0,
+                                                     const Eigen::Vector3d& theta) {
     const Eigen::Vector3d w = scale.cwiseProduct(turnedBack(p0, theta)), once = theta.cross(w);
     return w + 0.5 * once + (1.0 / 12) * theta.cross(once);
   }

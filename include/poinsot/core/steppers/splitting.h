@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
 
@@ -46,6 +47,10 @@ struct BlanesMoan6 {
 template <class Composition>
 class Splitting {
  public:
+  /** Of a step: no field is evaluated; one turn about L, and one for each coefficient of the composition. */
+  static constexpr int kTurns = 2 * static_cast<int>(Composition::kA.size() + Composition::kB.size()) - 1;
+  static constexpr Work kWork = {0, 1 + kTurns};
+
   /** What depends on the body and the step alone. */
   struct Plan {
     double half_a, half_c;  ///< half the angle of a turn over the whole step, for Λ = 1

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace poinsot {
+
+/** What steps have asked for, whatever it took in time. */
+struct Work {
+  std::int64_t evaluations = 0;   ///< of the right-hand side or a derivative of it; of the equation of an implicit step
+  std::int64_t exponentials = 0;  ///< turns of SO(3): exp, or Cayley's map
+
+  Work& operator+=(const Work& other) {
+    evaluations += other.evaluations;
+    exponentials += other.exponentials;
+    return *this;
+  }
+  friend Work operator*(std::int64_t n, const Work& work) { return {n * work.evaluations, n * work.exponentials}; }
+};
+
+}  // namespace poinsot
