@@ -44,8 +44,10 @@ double cpuTime() {
 /** Greatest errors of the answers that it has seen. */
 class Judge {
  public:
-  explicit Judge(const Problem& problem)
+  /** @param by_truth_alone for the closed form, which does not judge itself. */
+  Judge(const Problem& problem, bool by_truth_alone)
       : problem_(problem),
+        by_truth_alone_(by_truth_alone),
         exact_(problem.moments, problem.attitude, problem.omega),
         energy_(energy(problem.omega)),
         momentum_(problem.attitude.normalized() * problem.moments.cwiseProduct(problem.omega)) {}
@@ -56,16 +58,7 @@ class Judge {
       attitude = INFINITY;
       return;
     }
-    attitude = std::max(attitude, angle(answer, exact_.at(answer.time).attitude));
-    lookAtTruth(answer);
-    const double size = answer.attitude.norm();
-    norm_drift = std::max(norm_drift, std::abs(size - 1));
-    energy_drift = std::max(energy_drift, std::abs(energy(answer.omega) - energy_) / energy_);
-    const Eigen::Vector3d momentum = answer.attitude.normalized() * problem_.moments.cwiseProduct(answer.omega);
-    momentum_drift = std::max(momentum_drift, (momentum - momentum_).norm() / momentum_.norm());
-  }
-
-  void lookAtTruth(const Answer& answer) {
+    if (!by_truth_alone_) attitude = std::max(attitude, angle(answer, exact_.at(answer.time).attitude));
     for (const Truth& truth : truths()) {
       if (problem_.body == truth.body && truth.answer.time == answer.time) {
         attitude_of_truth = std::max(attitude_of_truth, angle(answer, truth.answer.attitude));
@@ -73,6 +66,11 @@ class Judge {
         ++truths_met;
       }
     }
+    const double size = answer.attitude.norm();
+    norm_drift = std::max(norm_drift, std::abs(size - 1));
+    energy_drift = std::max(energy_drift, std::abs(energy(answer.omega) - energy_) / energy_);
+    const Eigen::Vector3d momentum = answer.attitude.normalized() * problem_.moments.cwiseProduct(answer.omega);
+    momentum_drift = std::max(momentum_drift, (momentum - momentum_).norm() / momentum_.norm());
   }
 
   double attitude = 0, energy_drift = 0, momentum_drift = 0, norm_drift = 0;
@@ -86,6 +84,7 @@ class Judge {
   double energy(const Eigen::Vector3d& omega) const { return 0.5 * omega.dot(problem_.moments.cwiseProduct(omega)); }
 
   const Problem& problem_;
+  bool by_truth_alone_;
   ClosedForm exact_;
   double energy_;
   Eigen::Vector3d momentum_;
@@ -104,20 +103,14 @@ class Measurement {
   bool measure(double setting) {
     const double begin = cpuTime();
     Effort effort;
-    Judge judge(problem_);
+    Judge judge(problem_, closedForm());
     double once;
     try {
       const auto run = contestant_.start(problem_, setting);
       if (mode_ == Mode::shot) {
-        const Watch watch = closedForm() ? Watch([&](const Answer& answer) {
-          if (!truthKnown()) judge.look(answer);
-        })
-                                         : Watch([&](const Answer& answer) { judge.look(answer); });
-        if (closedForm()) {
-          lookAtTruths(*run, judge);
-        } else {
-          judge.look(run->shot(options_.horizon, watch, effort));
-        }
+        judge.look(run->shot(
+            options_.horizon, [&](const Answer& answer) { judge.look(answer); }, effort));
+        if (closedForm()) lookAtTruths(*run, judge);
         effort = Effort();
         const double before = cpuTime();
         run->shot(options_.horizon, nullptr, effort);
@@ -126,7 +119,7 @@ class Measurement {
         const double before = cpuTime();
         answer(*run, effort);
         once = cpuTime() - before;
-        for (const Answer& each : answers_) closedForm() ? judge.lookAtTruth(each) : judge.look(each);
+        for (const Answer& each : answers_) judge.look(each);
       }
     } catch (const std::exception& error) {
       std::fprintf(stderr, "%s, %s, %.3g: %s\n", problem_.body.c_str(), contestant_.name().c_str(), setting,
@@ -146,14 +139,12 @@ class Measurement {
 
  private:
   bool closedForm() const { return contestant_.knob() == Contestant::Knob::none; }
-  bool truthKnown() const { return true; }
 
-  /** The closed form does not judge itself. */
   void lookAtTruths(Run& run, Judge& judge) const {
     Effort ignored;
     for (const Truth& truth : truths()) {
       if (problem_.body != truth.body || truth.answer.time > options_.horizon) continue;
-      judge.lookAtTruth(run.shot(truth.answer.time, nullptr, ignored));
+      judge.look(run.shot(truth.answer.time, nullptr, ignored));
     }
     if (judge.truths_met == 0) throw std::runtime_error("no reference up to this horizon");
   }
