@@ -11,6 +11,7 @@
 #include "poinsot/core/steppers/dmv.h"
 #include "poinsot/core/steppers/lie_euler.h"
 #include "poinsot/core/steppers/midpoint.h"
+#include "poinsot/core/steppers/restore_energy.h"
 #include "poinsot/core/steppers/restore_momentum.h"
 #include "poinsot/core/steppers/rk4.h"
 #include "poinsot/core/steppers/rkmk4.h"
@@ -35,7 +36,7 @@ void scale(RotationState& state, int k) {
 }
 
 /** L and E to be kept are those of the start, or what the caller has made of them since. */
-void findKept(RotationState& state, const Eigen::Vector3d& moments) {
+void findKept(RotationState& state, const Eigen::Vector3d& moments, const steppers::EnergyKeeper& energy) {
   const Eigen::Vector3d kept = state.kept_momentum;
   const double kept_inverse_inertia = state.kept_inverse_inertia;
   state.keepMomentum();
@@ -47,6 +48,8 @@ void findKept(RotationState& state, const Eigen::Vector3d& moments) {
   state.kept_inverse_inertia = p.dot(p.cwiseQuotient(moments)) * state.kept_inverse_square;
   if (std::abs(state.kept_inverse_inertia - kept_inverse_inertia) <= 1e-11 * kept_inverse_inertia) {
     state.kept_inverse_inertia = kept_inverse_inertia;
+  } else {
+    state.kept_energy_gaps = energy.gaps(state);
   }
 }
 
@@ -84,7 +87,8 @@ struct Planned<Scheme, std::void_t<typename Scheme::Plan>> {
 
 /** Takes the steps; an implicit method says how many iterations each took. */
 template <class Scheme, class Plan>
-[[gnu::always_inline]] inline Work take(const Scheme& scheme, RotationState& state, const Plan& plan, std::int64_t count) {
+[[gnu::always_inline]] inline Work take(const Scheme& scheme, RotationState& state, const Plan& plan,
+                                        std::int64_t count) {
   if constexpr (std::is_same_v<decltype(scheme.step(state, plan)), int>) {
     Work work;
     for (std::int64_t i = 0; i < count; ++i) work += Scheme::work(scheme.step(state, plan));
@@ -100,14 +104,15 @@ template <class Scheme, class Plan>
  * are scaled by powers of two, and the step with them, which changes no digit of the result. Where it keeps L, rounding
  * is kept from moving it.
  */
-template <class Scheme, int steps_between_restorations>
+template <class Scheme, int steps_between_restorations, bool keeps_energy>
 class BatchStepper final : public Stepper {
  public:
   explicit BatchStepper(const Eigen::Vector3d& moments)
       : moments_scale_(excess(moments.maxCoeff())),
         unstable_axis_(intermediateAxis(moments)),
         moments_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })),
-        scheme_(moments_) {}
+        scheme_(moments_),
+        energy_(moments_) {}
 
   Work advance(RotationState& state, double step, std::int64_t count) const override {
     const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
@@ -128,7 +133,7 @@ class BatchStepper final : public Stepper {
       state = s;
       return work;
     }
-    findKept(s, moments_);
+    findKept(s, moments_, energy_);
     const auto plan = Planned<Scheme>::plan(scheme_, s, step);
     Work work;
     while (count > 0) {
@@ -139,6 +144,7 @@ class BatchStepper final : public Stepper {
       s.steps_since_restored += some;
       if (s.steps_since_restored < steps_between_restorations) break;
       s.steps_since_restored = 0;
+      if constexpr (keeps_energy) energy_.restore(s);
       steppers::restoreMomentum(s);
       dropRemainders(s, unstable_axis_);
     }
@@ -149,17 +155,24 @@ class BatchStepper final : public Stepper {
   int moments_scale_, unstable_axis_;
   Eigen::Vector3d moments_;  ///< as the scheme sees them
   Scheme scheme_;
+  steppers::EnergyKeeper energy_;
 };
 
 template <class Scheme>
 std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) {
-  return std::make_unique<BatchStepper<Scheme, 0>>(moments);
+  return std::make_unique<BatchStepper<Scheme, 0, false>>(moments);
 }
 
 /** For those that conserve L; the count, for those that turn the body more than once a step. */
 template <class Scheme, int steps_between_restorations = steppers::kStepsBetweenRestorations>
 std::unique_ptr<Stepper> makeKeeping(const Eigen::Vector3d& moments) {
-  return std::make_unique<BatchStepper<Scheme, steps_between_restorations>>(moments);
+  return std::make_unique<BatchStepper<Scheme, steps_between_restorations, false>>(moments);
+}
+
+/** For those that conserve E as well. */
+template <class Scheme>
+std::unique_ptr<Stepper> makeKeepingEnergy(const Eigen::Vector3d& moments) {
+  return std::make_unique<BatchStepper<Scheme, steppers::kStepsBetweenRestorations, true>>(moments);
 }
 
 }  // namespace
@@ -178,11 +191,11 @@ const std::vector<Method>& methods() {
       {"splitting2", 2, true, false, makeKeeping<steppers::Splitting2, 2>},
       {"splitting4", 4, true, false, makeKeeping<steppers::Splitting4, 1>},
       {"splitting6", 6, true, false, makeKeeping<steppers::Splitting6, 1>},
-      {"dmv2", 2, true, true, makeKeeping<steppers::Dmv<2>>},
-      {"dmv4", 4, true, true, makeKeeping<steppers::Dmv<4>>},
-      {"dmv6", 6, true, true, makeKeeping<steppers::Dmv<6>>},
-      {"dmv8", 8, true, true, makeKeeping<steppers::Dmv<8>>},
-      {"dmv10", 10, true, true, makeKeeping<steppers::Dmv<10>>},
+      {"dmv2", 2, true, true, makeKeepingEnergy<steppers::Dmv<2>>},
+      {"dmv4", 4, true, true, makeKeepingEnergy<steppers::Dmv<4>>},
+      {"dmv6", 6, true, true, makeKeepingEnergy<steppers::Dmv<6>>},
+      {"dmv8", 8, true, true, makeKeepingEnergy<steppers::Dmv<8>>},
+      {"dmv10", 10, true, true, makeKeepingEnergy<steppers::Dmv<10>>},
   };
   return table;
 }

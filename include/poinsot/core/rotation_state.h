@@ -25,6 +25,8 @@ struct RotationState {
   int steps_since_restored = 0;
   /** 2E/|L|² at the start, for methods whose constants depend on E: in units of their own, 0 where not known. */
   double kept_inverse_inertia = 0;
+  /** 2E/|L|² − 1/μᵢ at the start, for methods that keep E, in the same units; of use where the line above is not 0. */
+  Eigen::Vector3d kept_energy_gaps = Eigen::Vector3d::Zero();
 
   static RotationState fromOmega(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
                                  const Eigen::Vector3d& omega_body) {
