@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Poinsot needs and that are missing.  Usage: scripts/setup.sh
+# Installs the Debian packages that Poinsot needs and that are missing.  Usage: scripts/setup.sh [--peers]
+#   --peers   also the solvers that scripts/benchmark.sh compares it with
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
+lists=("$root/scripts/packages.txt")
 case "${1:-}" in
   '') ;;
+  --peers) lists+=("$root/scripts/packages_peers.txt") ;;
   -h | --help) usage; exit 0 ;;
-  *) bad_use "setup.sh: unknown word '$1'; it takes none" ;;
+  *) bad_use "setup.sh: unknown word '$1'; it takes --peers or none" ;;
 esac
 
 missing=()
 while read -r package; do
   dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2> /dev/null | grep -q '^ii' || missing+=("$package")
-done < <(sed 's/#.*//' "$root/scripts/packages.txt" | awk 'NF {print $1}')
+done < <(sed 's/#.*//' "${lists[@]}" | awk 'NF {print $1}')
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 say "installing ${#missing[@]} Debian packages"

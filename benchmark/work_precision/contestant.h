@@ -23,9 +23,13 @@ struct Problem {
 /** What a contestant answers for one time. As it comes: the attitude is normalised only if the solver does so itself.
  */
 struct Answer {
-  double time = 0;  ///< [s]
+  double time = 0;       ///< [s]
+  double time_rest = 0;  ///< what rounding took off the time that is meant [s]
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< body axes
+
+  Answer() = default;
+  Answer(double at, const Eigen::Quaterniond& q, const Eigen::Vector3d& o) : time(at), attitude(q), omega(o) {}
 };
 
 /** What a run took. */

@@ -61,7 +61,8 @@ class Judge {
     if (!by_truth_alone_) attitude = std::max(attitude, angle(answer, exact_.at(answer.time).attitude));
     for (const Truth& truth : truths()) {
       if (problem_.body == truth.body && truth.answer.time == answer.time) {
-        attitude_of_truth = std::max(attitude_of_truth, angle(answer, truth.answer.attitude));
+        const Eigen::Quaterniond since = expQuaternion(truth.answer.omega * answer.time_rest);
+        attitude_of_truth = std::max(attitude_of_truth, angle(answer, truth.answer.attitude * since));
         attitude = std::max(attitude, attitude_of_truth);
         ++truths_met;
       }
@@ -303,6 +304,7 @@ int main(int argc, char** argv) {
       "body,method,package,mode,knob,setting,step,horizon,max_error_rad,energy_drift,momentum_drift,norm_drift,ns_per_"
       "step,"
       "cpu_s,steps,evaluations,exponentials,reference_error_rad");
+  std::fflush(stdout);
   for (const std::string& mode_name : mode_names) {
     const Mode mode = mode_name == "shot" ? Mode::shot : mode_name == "ticks" ? Mode::ticks : Mode::requests;
     for (const Problem& problem : bodies()) {

@@ -21,6 +21,13 @@ std::string xml(const Problem& problem, const char* integrator) {
   return text;
 }
 
+/** MuJoCo's complaint since the last start: its own way is to reset the body to rest, and to write a log file. */
+std::string complaint;
+
+void complain(const char* what) {
+  complaint = what;
+}
+
 class World {
  public:
   World(const Problem& problem, const char* integrator) : problem_(problem) {
@@ -41,6 +48,7 @@ class World {
   }
 
   void restart() {
+    complaint.clear();
     mj_resetData(model_, data_);
     // The joint's axes are the body's own; the inertia's may be listed in another order, which MuJoCo turns back
     // itself.
@@ -49,7 +57,10 @@ class World {
     std::copy(problem_.omega.data(), problem_.omega.data() + 3, data_->qvel);
   }
   void prepare(double h) { model_->opt.timestep = h; }
-  void step() { mj_step(model_, data_); }
+  void step() {
+    mj_step(model_, data_);
+    if (!complaint.empty()) throw std::runtime_error("MuJoCo: " + complaint);
+  }
   Answer answer(double t) const {
     const mjtNum *q = data_->qpos, *w = data_->qvel;
     return {t, Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Eigen::Vector3d(w[0], w[1], w[2])};
@@ -79,6 +90,7 @@ class Mujoco final : public Engine {
 }  // namespace
 
 void addMujoco(Contestants& to) {
+  mju_user_warning = complain;
   to.push_back(std::make_unique<Mujoco>("euler", "Euler"));
   to.push_back(std::make_unique<Mujoco>("implicit", "implicit"));
   to.push_back(std::make_unique<Mujoco>("rk4", "RK4"));

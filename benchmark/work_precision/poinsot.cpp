@@ -107,6 +107,7 @@ class ClosedFormRun final : public Run {
                  *c = samples_.col(6).data();
     for (std::int64_t i = 0; i < count; ++i) {
       out[i].time = static_cast<double>(i + 1) * interval;
+      out[i].time_rest = std::fma(static_cast<double>(i + 1), interval, -out[i].time);  // sample() takes times exactly
       out[i].attitude = Eigen::Quaterniond(w[i], x[i], y[i], z[i]);
       out[i].omega = Eigen::Vector3d(a[i], b[i], c[i]);
     }

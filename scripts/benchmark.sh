@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Measures what accuracy costs, here and in other people's solvers, and writes doc/accuracy_cost.md with its pictures.
+#
+# Usage: scripts/benchmark.sh
+#
+# Installs the solvers that are missing; takes about a quarter of an hour on a quiet machine: let nothing else run meanwhile.
+# The build directory is build/, or $POINSOT_BUILD.
+# Exit: 0; 1 when something could not be built, measured or written, or accuracy: breaks its word; 2 for bad use.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+case "${1:-}" in
+  '') ;;
+  -h | --help) usage; exit 0 ;;
+  *) bad_use "benchmark.sh: unknown word '$1'; it takes none" ;;
+esac
+
+"$root/scripts/setup.sh" --peers
+build=${POINSOT_BUILD:-$build}
+say "building"
+build_package work_precision_measure accuracy_choice
+programs=$build/devel/lib/poinsot
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+bad=0
+say "accuracy: against an exhaustive search"
+{
+  cat << 'TEXT'
+## `accuracy:` in a scene, against an exhaustive search
+
+Thirty random bodies, T = 100 s, a state at every tick of 60 Hz. *Kept*: the error at 3000 random times, which are no ticks, stays
+within the accuracy. The cost is measured, of the motion asked for its states, and divided by that of the cheapest way that an
+exhaustive search over all methods and a ladder of steps finds. Steppers are judged down to 1e-11 rad.
+
+TEXT
+  "$programs/accuracy_choice" || bad=$?
+} > "$work/accuracy.md"
+cat "$work/accuracy.md"
+[ "$bad" -le 1 ] || fail "accuracy_choice broke off"
+
+say "work and precision"
+"$programs/work_precision" --document "$root/doc/accuracy_cost.md" --append "$work/accuracy.md"
+echo "written: $root/doc/accuracy_cost.md"
+exit "$bad"
