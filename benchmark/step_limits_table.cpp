@@ -7,6 +7,7 @@
 
 #include "draws.h"
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
 
@@ -49,7 +50,11 @@ double worstError(const Stepper& stepper, const Body& body, double step, int ste
     const ClosedForm::State start = truth.at(0);
     RotationState state = RotationState::fromOmega(body.moments, start.attitude, start.omega_body);
     for (int n = 1; n <= steps; ++n) {
-      stepper.advance(state, step, 1);
+      try {
+        stepper.advance(state, step, 1);
+      } catch (const NoConvergence&) {
+        return kPi;
+      }
       if (!state.attitude.coeffs().allFinite() || !state.momentum_body.allFinite()) return kPi;
       worst = std::max(worst, angleBetween(truth.at(n * step).attitude, state.attitude));
     }
