@@ -101,9 +101,11 @@ class BatchStepper final : public Stepper {
     if (momentum_scale == 0 && moments_scale_ == 0) {
       run(state, step, count);
     } else {
-      scale(state, -momentum_scale);
-      run(state, std::ldexp(step, momentum_scale - moments_scale_), count);
-      scale(state, momentum_scale);
+      RotationState scaled = state;  // run() may throw
+      scale(scaled, -momentum_scale);
+      run(scaled, std::ldexp(step, momentum_scale - moments_scale_), count);
+      scale(scaled, momentum_scale);
+      state = scaled;
     }
   }
 
