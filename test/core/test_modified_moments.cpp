@@ -49,8 +49,8 @@ TEST(ModifiedMoments, differFromThePublishedFirstTermsByTheNextOnes) {
   for (int i = 0; i < 50; ++i) {
     const Body body(draws);
     const double h = 0.04 * body.moments.minCoeff() / body.momentum.norm();
-    for (const double ratio : {difference<2>(body, 2 * h) / difference<2>(body, h),
-                               difference<5>(body, 2 * h) / difference<5>(body, h)}) {
+    for (const double ratio :
+         {difference<2>(body, 2 * h) / difference<2>(body, h), difference<5>(body, 2 * h) / difference<5>(body, h)}) {
       least = std::min(least, ratio);
       most = std::max(most, ratio);
     }
