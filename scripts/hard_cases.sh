@@ -3,7 +3,7 @@
 #
 # Usage: scripts/hard_cases.sh
 #
-# Takes a minute for each three methods: it contains runs of 1e8 steps. The build directory is build/, or $POINSOT_BUILD.
+# Takes a quarter of an hour: it contains runs of 1e8 steps of every method. The build directory is build/, or $POINSOT_BUILD.
 # Exit: 0; 1 when a figure breaks what is promised (the file then says where) or nothing could be measured; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 

@@ -119,9 +119,11 @@ class BatchStepper final : public Stepper {
     if (momentum_scale == 0 && moments_scale_ == 0) {
       return run(state, step, count);
     }
-    scale(state, -momentum_scale);
-    const Work work = run(state, std::ldexp(step, momentum_scale - moments_scale_), count);
-    scale(state, momentum_scale);
+    RotationState scaled = state;  // run() may throw
+    scale(scaled, -momentum_scale);
+    const Work work = run(scaled, std::ldexp(step, momentum_scale - moments_scale_), count);
+    scale(scaled, momentum_scale);
+    state = scaled;
     return work;
   }
 

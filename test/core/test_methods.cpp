@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 
 #include "draws.h"
+#include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/stepper.h"
 
@@ -68,6 +71,74 @@ TEST_P(EveryMethod, spinsASphereSteadily) {
   // Without a sine, the angle of a step is twice an arctangent: off by θ³/6, |θ| = 0.0017, in each of 5000 steps.
   const double off = GetParam() == "dmv2" ? 5e-6 : 1e-11;
   EXPECT_LE(angleBetween(state.attitude, expQuaternion(5 * omega)), off);
+}
+
+TEST_P(EveryMethod, goesBackTheWayItCameOnlyIfItIsSymmetric) {
+  const bool symmetric = GetParam() == "midpoint" || GetParam().rfind("splitting", 0) == 0 || GetParam()[0] == 'd';
+  Draws draws;
+  double least = 1, most = 0;
+  for (int body = 0; body < 20; ++body) {
+    const Eigen::Vector3d moments = draws.moments();
+    const auto stepper = method().make(moments);
+    const RotationState start = RotationState::fromOmega(moments, draws.attitude(), draws.direction());
+    RotationState state = start;
+    stepper->advance(state, 0.8, 1);
+    EXPECT_GT(angleBetween(state.attitude, start.attitude), 0.5);
+    stepper->advance(state, -0.8, 1);
+    const double off = angleBetween(state.attitude, start.attitude) +
+                       (state.momentum_body - start.momentum_body).norm() / start.momentum_body.norm();
+    least = std::min(least, off);
+    most = std::max(most, off);
+  }
+  std::printf("%-10s there and back: off by %.1e to %.1e\n", GetParam().c_str(), least, most);
+  if (symmetric) {
+    EXPECT_LE(most, 4e-15);
+  } else {
+    EXPECT_GE(most, 1e-6);
+  }
+}
+
+/** Every bit of the state. */
+void expectTheSame(const RotationState& a, const RotationState& b) {
+  EXPECT_EQ(a.attitude.coeffs(), b.attitude.coeffs());
+  EXPECT_EQ(a.momentum_body, b.momentum_body);
+  EXPECT_EQ(a.attitude_rest, b.attitude_rest);
+  EXPECT_EQ(a.momentum_rest, b.momentum_rest);
+  EXPECT_EQ(a.kept_momentum, b.kept_momentum);
+  EXPECT_EQ(a.kept_inverse_square, b.kept_inverse_square);
+  EXPECT_EQ(a.steps_since_restored, b.steps_since_restored);
+  EXPECT_EQ(a.kept_inverse_inertia, b.kept_inverse_inertia);
+}
+
+TEST(NoConvergence, leavesTheStateAsItWas) {
+  for (const char* name : {"midpoint", "dmv2", "dmv4", "dmv6", "dmv8", "dmv10"}) {
+    Draws draws;
+    int thrown = 0;
+    for (int body = 0; body < 20; ++body) {
+      // Momenta and moments of extreme size are scaled inside, and have to come back.
+      for (const double size : {1.0, 1e-200, 1e120}) {
+        for (const double weight : {1.0, 1e-120}) {
+          const Eigen::Vector3d moments = weight * draws.moments();
+          const auto stepper = findMethod(name)->make(moments);
+          RotationState state = RotationState::fromOmega(moments, draws.attitude(), size * draws.direction());
+          stepper->advance(state, 0.01 / size, 3);
+          const RotationState before = state;
+          for (const double turned : {5.0, 20.0, 300.0}) {
+            try {
+              stepper->advance(state, turned / size, 100);
+              state = before;
+            } catch (const NoConvergence& error) {
+              ++thrown;
+              EXPECT_EQ(std::string(error.what()).rfind(name + std::string(" "), 0), 0u) << error.what();
+              expectTheSame(state, before);
+              if (HasFailure()) FAIL() << name << " " << size << " " << weight;
+            }
+          }
+        }
+      }
+    }
+    EXPECT_GE(thrown, 20) << name;
+  }
 }
 
 std::vector<std::string> names() {

@@ -323,6 +323,21 @@ TEST(Propagate, stateThatOverflowsIsNoResult) {
   EXPECT_NE(outcome.err.find("line 3"), std::string::npos) << outcome.err;
 }
 
+TEST(Propagate, aStepThatAnImplicitMethodDoesNotFindIsNoResult) {
+  for (const char* name : {"midpoint", "dmv10"}) {
+    const std::string arguments = std::string("--step 0.01 --method ") + name;
+    EXPECT_EQ(propagate(arguments, kHeader + kRow + kRow).exit_code, 0);
+    // The third row turns by 100 rad a step.
+    const Outcome outcome = propagate(arguments, kHeader + kRow + kRow + rowWith(9, "1e4") + kRow);
+    EXPECT_EQ(outcome.exit_code, 1) << name;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(std::string("line 4: ") + name + " finds no solution"), std::string::npos)
+        << outcome.err;
+    for (const char* line : {"line 2", "line 3", "line 5"})
+      EXPECT_EQ(outcome.err.find(line), std::string::npos) << line;
+  }
+}
+
 TEST(Propagate, outputThatCannotBeWrittenIsReported) {
   for (const char* where : {" > /dev/full", " >&-"}) {
     const Outcome outcome = propagate(std::string("--method rk4 --step 0.01") + where, kHeader + kRow);
