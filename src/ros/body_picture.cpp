@@ -1,6 +1,7 @@
 #include "poinsot/ros/body_picture.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/palette.h"
@@ -25,16 +26,20 @@ constexpr double kHead = 0.115;
 constexpr double kHeadLength = 0.17;
 constexpr double kTitleHeight = 0.21;
 constexpr double kSymbolHeight = 0.23;
-constexpr double kTitleDepth = 1.3;     // of the titles below the centres, at least
-constexpr double kPointerLength = 0.4;  // of ω's pointer beyond the surface
+constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
+constexpr double kFiguresHeight = 0.19;
+constexpr double kFiguresDepth = 0.55;    // below the title
+const ros::Duration kFiguresPause(0.25);  // a label that changed with every tick could not be read
+constexpr double kPointerLength = 0.4;    // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
 constexpr double kPolhodeLift = 1.010;
 constexpr double kSeparatrixLift = 1.004;
 constexpr double kTrailLift = 1.020;
 
-constexpr double kTrailShare = 0.6;      // of the polhode: a trail that met itself would flicker
-constexpr double kTrailSpacing = 0.012;  // m
+constexpr double kTrailShare = 0.6;       // of the polhode: a trail that met itself would flicker
+constexpr double kStrayTrailShare = 1.5;  // where Ω may leave the polhode, to be seen doing so
+constexpr double kTrailSpacing = 0.012;   // m
 
 constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideBead = 0.22;
@@ -42,7 +47,16 @@ constexpr double kBeforeLines = 0.15;                  // towards the viewer
 const Eigen::Vector3d kBeforeSurfaces(0.32, 0, 0.14);  // towards a viewer who looks down a little
 
 // Ids within <body>/label.
-enum LabelId { kBodyTitle, kSpaceTitle, kModelTitle, kMomentumSymbol, kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol };
+enum LabelId {
+  kBodyTitle,
+  kSpaceTitle,
+  kModelTitle,
+  kMomentumSymbol,
+  kOmegaPointer,
+  kOmegaSymbol,
+  kModelOmegaSymbol,
+  kFigures
+};
 
 std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b, float t) {
   return palette::colour(a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b));
@@ -65,13 +79,23 @@ Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   return kBeforeSurfaces + kBesideBead * Eigen::Vector3d(0, outwards.x(), outwards.y());
 }
 
-view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second) {
+std::string shown(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string methodOf(const MotionSetup& setup) {
+  return setup.method + (setup.step ? shown(", step %.3g ms", 1e3 * *setup.step) : "");
+}
+
+view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second, double share) {
   double length = 0;
   if (!polhode.branches.empty()) {
     const std::vector<Eigen::Vector3d>& points = polhode.branches.front().points;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   }
-  length *= kTrailShare * metres_per_radian_per_second;
+  length *= share * metres_per_radian_per_second;
   return {2 + static_cast<std::size_t>(length / kTrailSpacing), length, kTrailSpacing};
 }
 
@@ -83,13 +107,15 @@ BodyPicture::BodyPicture(const scene::Body& body, Motion motion, const names::Fr
       start_(motion.at(0)),
       inertia_(body.inertia),
       shape_(body.shape ? *body.shape : shapes::equivalentBox(body.inertia.moments(), body.inertia.axes())),
+      method_(methodOf(motion.setup())),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
       polhode_(view::polhode(inertia_.moments(), omega_principal_)),
       layout_(view::layoutOf(start_.position, shape_.boundingRadius(), inertia_.moments(), inertia_.axes(), polhode_,
                              omega_principal_)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
-      trail_(trailOf(polhode_, scale_.metres_per_radian_per_second)) {}
+      trail_(trailOf(polhode_, scale_.metres_per_radian_per_second,
+                     motion.inClosedForm() ? kTrailShare : kStrayTrailShare)) {}
 
 Marker BodyPicture::marker(const std::string& ns, int id, int type, const std::string& frame) const {
   Marker out;
@@ -197,6 +223,18 @@ void BodyPicture::appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& 
   l.header.stamp = symbol.header.stamp = stamp;
   out.markers.push_back(l);
   out.markers.push_back(symbol);
+}
+
+void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, MarkerArray& out) {
+  if (figures_shown_ && tick.stamp >= *figures_shown_ && tick.stamp < *figures_shown_ + kFiguresPause) return;
+  figures_shown_ = tick.stamp;
+  const std::string words = method_ + shown("\nattitude error %.1e rad", figures.attitude_error) +
+                            shown("\nenergy drift %+.1e", figures.energy_drift) +
+                            shown("\ncost %.3g us per s", 1e6 * figures.cost);
+  const double down = std::max(kTitleDepth, shape_.boundingRadius() + 0.3) + kFiguresDepth;
+  Marker label = text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
+  label.header.stamp = tick.stamp;
+  out.markers.push_back(label);
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, MarkerArray& out) {

@@ -24,6 +24,7 @@ constexpr double kMostSeekSteps = 1e9;
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
 constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
 constexpr double kMostLoad = 0.8;             // of one core, for what a speed may ask of the steppers
+constexpr double kAstray = 0.1;               // rad from the truth: /diagnostics warns
 constexpr double kCoarseShare = 0.1;          // of a tick: where doubles lie further apart, t is seen to jump
 
 Pacer::Mode pacing(bool publish_clock) {
@@ -78,14 +79,19 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   for (const scene::Body& body : parameters.scene.bodies) {
     bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, rate_, handle_));
     const Body* added = bodies_.back().get();
+    some_body_steps_ = some_body_steps_ || !added->motion().inClosedForm();
     diagnostics_.add("body " + body.name, [added](diagnostic_updater::DiagnosticStatusWrapper& status) {
       const MotionSetup& setup = added->motion().setup();
       const std::string step = setup.step ? ", step " + shown(*setup.step) + " s" : "";
-      status.summary(diagnostic_msgs::DiagnosticStatus::OK, setup.method + step);
+      const BodyPicture::Figures figures = added->figures();
+      const bool astray = figures.attitude_error > kAstray;
+      status.summary(astray ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+                     setup.method + step + (astray ? ": " + shown(figures.attitude_error) + " rad astray" : ""));
       status.addf("simulation time [s]", "%.9g", added->state().time);
-      status.addf("energy drift", "%.3g", added->energyDrift());
+      status.addf("attitude error [rad]", "%.3g", figures.attitude_error);
+      status.addf("energy drift", "%.3g", figures.energy_drift);
       status.addf("momentum drift", "%.3g", added->momentumDrift());
-      status.addf("cost [CPU s per simulated s]", "%.3g", added->cost().cost());
+      status.addf("cost [CPU s per simulated s]", "%.3g", figures.cost);
     });
   }
 
@@ -203,7 +209,10 @@ void Node::publishMarkers(const Tick& tick) {
   const bool watched = markers_publisher_.getNumSubscribers() > 0;
   if (watched) {
     MarkerArray markers = markers_watched_ ? MarkerArray() : cleared();
-    for (const auto& body : bodies_) body->picture().appendMoving(tick, body->state(), markers);
+    for (const auto& body : bodies_) {
+      body->picture().appendMoving(tick, body->state(), markers);
+      if (some_body_steps_) body->picture().appendFigures(tick, body->figures(), markers);
+    }
     if (!markers.markers.empty()) markers_publisher_.publish(markers);
   } else if (markers_watched_) {
     for (const auto& body : bodies_) body->picture().clearTrail();

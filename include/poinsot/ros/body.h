@@ -30,7 +30,8 @@ class Body {
   BodyPicture& picture() { return picture_; }
   const BodyPicture& picture() const { return picture_; }
   const CostMeter& cost() const { return cost_; }
-  double energyDrift() const { return energy_drift_; }
+  /** Of the last move. */
+  BodyPicture::Figures figures() const { return {motion_.attitudeError(state_), energy_drift_, cost_.cost()}; }
   double momentumDrift() const { return momentum_drift_; }
 
   /** Takes a motion that was moved ahead elsewhere. */

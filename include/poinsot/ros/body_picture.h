@@ -2,6 +2,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <optional>
 #include <string>
 
 #include "poinsot/core/motion.h"
@@ -26,6 +27,16 @@ class BodyPicture {
 
   /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;
+
+  /** What a label says of a body that is compared with the truth. */
+  struct Figures {
+    double attitude_error;  ///< [rad]
+    double energy_drift;    ///< relative
+    double cost;            ///< CPU s per simulated s
+  };
+
+  /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */
+  void appendFigures(const Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
 
   /** What moves, at one tick. */
   void appendMoving(const Tick& tick, const MotionState& state, visualization_msgs::MarkerArray& out);
@@ -58,6 +69,8 @@ class BodyPicture {
   MotionState start_;
   PrincipalInertia inertia_;
   Assembly shape_;
+  std::string method_;  ///< with its step
+  std::optional<ros::Time> figures_shown_;
   bool momentum_is_constant_;        ///< by the method's promise, so that L need not be sent again
   Eigen::Vector3d omega_principal_;  ///< at t = 0 [rad/s]
   view::Polhode polhode_;

@@ -62,6 +62,7 @@ class Node {
   Seeker seeker_;
   double rate_;
   std::vector<std::unique_ptr<Body>> bodies_;
+  bool some_body_steps_ = false;  ///< then labels tell how well
 
   ros::NodeHandle handle_, private_handle_;
   tf2_ros::TransformBroadcaster broadcaster_;
