@@ -68,9 +68,9 @@ for t in "${times[@]}"; do
   done
   picture=${out%.png}_t$t.png
   import -window root "$work/one.png"
-  convert "$work/one.png" -gravity north -pointsize 26 -fill white -annotate +0+12 "t = $t s" "$picture"
+  convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 26 -fill white -annotate +0+12 "t = $t s" "$picture"
   sheet+=("$picture")
 done
-montage "${sheet[@]}" -tile 2x -geometry 1000x+4+4 -background black "$work/sheet.png"
+montage -font DejaVu-Sans "${sheet[@]}" -tile 2x -geometry 1000x+4+4 -background black "$work/sheet.png"
 mv "$work/sheet.png" "$out"
 echo "the sheet is in $out"
