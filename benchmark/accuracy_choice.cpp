@@ -1,6 +1,4 @@
 /** Whether `accuracy:` keeps its word, and what it costs beside the cheapest way there is: Markdown on stdout. */
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -15,17 +13,12 @@
 namespace {
 
 using namespace poinsot;
+using cost::threadCpuTime;
 
 constexpr double kRate = 60, kHorizon = 100;  // Hz, s
 constexpr int kBodies = 30;
 constexpr unsigned kSeed = 1758;
 constexpr int kJudgedDigits = 11;  // of the steppers' accuracy
-
-double threadCpuTime() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /** CPU seconds per simulated second, of the motion asked for its state at every tick: the fastest of some runs. */
 double measuredCost(MotionSetup setup, const std::string& method, std::optional<double> step) {

@@ -1,6 +1,5 @@
 #include "poinsot/cost/method_costs.h"
 
-#include <time.h>
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
@@ -13,6 +12,7 @@
 
 #include "poinsot/core/motion.h"
 #include "poinsot/core/stepper.h"
+#include "poinsot/cost/cpu_time.h"
 
 namespace poinsot::cost {
 namespace {
@@ -20,12 +20,6 @@ namespace {
 constexpr int kStates = 1000;     // to one measurement
 constexpr int kRepetitions = 12;  // the fastest counts: whatever disturbs makes it slower
 constexpr double kStep = 0.01;    // s
-
-double threadCpuTime() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /** Seconds per call of `use(i)`, i = 0 … count − 1, on a fresh copy of the motion each time. */
 template <class Use>

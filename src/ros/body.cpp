@@ -9,6 +9,7 @@
 
 #include "poinsot/BodyState.h"
 #include "poinsot/core/invariants.h"
+#include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/scene/motion_setup.h"
 
@@ -57,7 +58,7 @@ Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate
 
 const MotionState& Body::move(const Tick& tick) {
   const double before = state_.time;
-  const double begin = threadCpuTime();
+  const double begin = cost::threadCpuTime();
   try {
     if (tick.time != state_.time) state_ = motion_.at(tick.time);
   } catch (const std::runtime_error& error) {  // range_error, NoConvergence
@@ -65,7 +66,7 @@ const MotionState& Body::move(const Tick& tick) {
     out << "body " << name_ << " under " << motion_.setup().method << " at t = " << tick.time << " s: " << error.what();
     throw std::runtime_error(out.str());
   }
-  const double cpu = threadCpuTime() - begin;
+  const double cpu = cost::threadCpuTime() - begin;
   if (segment_ == tick.segment) {
     cost_.add(cpu, tick.time - before);
   } else {

@@ -1,12 +1,14 @@
 #include "poinsot/ros/cost_meter.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/cost/cpu_time.h"
+
 namespace poinsot::node {
 namespace {
+
+using cost::threadCpuTime;
 
 constexpr int kTrialSteps = 2000;
 constexpr int kTrialStates = 100;
@@ -14,12 +16,6 @@ constexpr double kLongestTrial = 1e9;  // s
 constexpr double kRenewAfter = 1.0;    // simulated seconds
 
 }  // namespace
-
-double threadCpuTime() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 CostMeter::CostMeter(Motion motion, double rate) {
   if (motion.inClosedForm()) {
@@ -36,7 +32,7 @@ CostMeter::CostMeter(Motion motion, double rate) {
 
 void CostMeter::add(double cpu, double simulated) {
   if (simulated == 0) return;  // paused: nothing was moved
-  cpu_ += cpu;
+  cpu_ += std::max(cpu - cost::clockCost(), 0.0);
   simulated_ += std::abs(simulated);
   if (simulated_ < kRenewAfter) return;
   cost_ = cpu_ / simulated_;

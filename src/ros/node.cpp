@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/names.h"
 
 namespace poinsot::node {
@@ -164,6 +165,7 @@ void Node::tick() {
   if (!tick) return;
 
   transforms_.clear();
+  cost::threadCpuTime();  // the first call after a sleep is slow, which the first body would be charged with
   for (const auto& body : bodies_) {
     body->move(*tick);
     body->appendTransforms(tick->stamp, transforms_);

@@ -21,7 +21,7 @@ constexpr int kNo = 1, kBadUse = 2;
 constexpr double kGoodAccuracy = 1e-3, kGoodHorizon = 120;  // rad, s: what makes a stepper good
 constexpr double kLeastForSteps = 1.1;  // a budget leaves for steps at least a tenth of what the states cost
 // Places of the bodies in a 2×2 arrangement, for a viewer at +x [m].
-constexpr double kAcross = 7.0, kUp = 4.2;
+constexpr double kAcross = 7.6, kUp = 4.2;
 
 const char* const kAbout =
     "Prints a scene: one body four times, side by side, from the same start, under lie_euler, buss2, a good stepper "

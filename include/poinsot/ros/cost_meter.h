@@ -13,7 +13,7 @@ class CostMeter {
    */
   CostMeter(Motion motion, double rate);
 
-  /** Adds what was measured: CPU time spent [s] on simulated time moved [s, either direction]. */
+  /** Adds what was measured: CPU time [s], by two calls of threadCpuTime(), of simulated time moved [s, either direction]. */
   void add(double cpu, double simulated);
 
   /** As measured lately. */
@@ -27,8 +27,5 @@ class CostMeter {
   double cost_;
   double cpu_ = 0, simulated_ = 0;  ///< since the figure was last renewed
 };
-
-/** CPU time of the calling thread [s]. */
-double threadCpuTime();
 
 }  // namespace poinsot::node
