@@ -9,6 +9,7 @@
 #include "exhaustive.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/cost/choice.h"
+#include "poinsot/cost/cpu_time.h"
 
 namespace {
 

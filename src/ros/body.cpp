@@ -68,7 +68,7 @@ const MotionState& Body::move(const Tick& tick) {
   }
   const double cpu = cost::threadCpuTime() - begin;
   if (segment_ == tick.segment) {
-    cost_.add(cpu, tick.time - before);
+    cost_.add(cpu, tick.time - before, state_.time, motion_);
   } else {
     segment_ = tick.segment;
     segment_start_ = state_.invariants();

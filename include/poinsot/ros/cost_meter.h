@@ -13,8 +13,13 @@ class CostMeter {
    */
   CostMeter(Motion motion, double rate);
 
-  /** Adds what was measured: CPU time [s], by two calls of threadCpuTime(), of simulated time moved [s, either direction]. */
-  void add(double cpu, double simulated);
+  /**
+   * Takes what the last tick cost. Now and then a short tick is played again, with a copy of the motion, a few times in
+   * a row: alone it costs more for caches that others have filled meanwhile than for the motion.
+   * @param cpu [s], the difference of two calls of cost::threadCpuTime().
+   * @param motion now at `time`, to which it was moved by `simulated` [s, either direction].
+   */
+  void add(double cpu, double simulated, double time, const Motion& motion);
 
   /** As measured lately. */
   double cost() const { return cost_; }
@@ -26,6 +31,7 @@ class CostMeter {
   double stepping_cost_ = 0;
   double cost_;
   double cpu_ = 0, simulated_ = 0;  ///< since the figure was last renewed
+  int ticks_ = 0;                   ///< likewise
 };
 
 }  // namespace poinsot::node
