@@ -71,17 +71,21 @@ void expectPure(const std::string& room, bool (*forbidden)(const std::string&)) 
 }
 
 bool forbiddenInCore(const std::string& i) {
-  return isRos(i) || isYaml(i) || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros") || isRoom(i, "audit");
+  return isRos(i) || isYaml(i) || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "cost") || isRoom(i, "ros") ||
+         isRoom(i, "audit");
 }
 bool forbiddenInView(const std::string& i) {
-  return isRos(i) || isYaml(i) || isRoom(i, "scene") || isRoom(i, "ros");
+  return isRos(i) || isYaml(i) || isRoom(i, "scene") || isRoom(i, "cost") || isRoom(i, "ros");
 }
 bool forbiddenInScene(const std::string& i) {
+  return isRos(i) || isRoom(i, "view") || isRoom(i, "cost") || isRoom(i, "ros");
+}
+bool forbiddenInCost(const std::string& i) {
   return isRos(i) || isRoom(i, "view") || isRoom(i, "ros");
 }
 /** Audit stands alone on the message types, which are what it is about. */
 bool forbiddenInAudit(const std::string& i) {
-  return isRoom(i, "core") || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "ros");
+  return isRoom(i, "core") || isRoom(i, "view") || isRoom(i, "scene") || isRoom(i, "cost") || isRoom(i, "ros");
 }
 
 TEST(Rooms, coreKnowsNobody) {
@@ -92,6 +96,9 @@ TEST(Rooms, viewKnowsCoreOnly) {
 }
 TEST(Rooms, sceneKnowsCoreOnly) {
   expectPure("scene", forbiddenInScene);
+}
+TEST(Rooms, costKnowsCoreAndScene) {
+  expectPure("cost", forbiddenInCost);
 }
 TEST(Rooms, auditKnowsNoOtherRoom) {
   expectPure("audit", forbiddenInAudit);
@@ -112,9 +119,14 @@ TEST(Rooms, aStrayIncludeWouldBeCaught) {
     EXPECT_TRUE(forbiddenInCore(bad)) << bad;
     EXPECT_TRUE(forbiddenInView(bad)) << bad;
     EXPECT_TRUE(forbiddenInScene(bad)) << bad;
+    EXPECT_TRUE(forbiddenInCost(bad)) << bad;
   }
+  EXPECT_TRUE(forbiddenInScene("poinsot/cost/choice.h"));
+  EXPECT_TRUE(forbiddenInView("poinsot/cost/choice.h"));
+  EXPECT_TRUE(forbiddenInCost("poinsot/view/curve.h"));
+  EXPECT_FALSE(forbiddenInCost("poinsot/scene/scene.h"));
   for (const char* bad :
-       {"poinsot/view/curve.h", "poinsot/scene/scene.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
+       {"poinsot/view/curve.h", "poinsot/scene/scene.h", "poinsot/cost/choice.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
     EXPECT_TRUE(forbiddenInCore(bad)) << bad;
   }
   for (const char* bad : {"poinsot/core/motion.h", "poinsot/view/curve.h", "poinsot/scene/scene.h", "../core/x.h"}) {
