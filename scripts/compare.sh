@@ -71,6 +71,6 @@ for t in "${times[@]}"; do
   convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 26 -fill white -annotate +0+12 "t = $t s" "$picture"
   sheet+=("$picture")
 done
-montage -font DejaVu-Sans "${sheet[@]}" -tile 2x -geometry 1000x+4+4 -background black "$work/sheet.png"
+montage -font DejaVu-Sans "${sheet[@]}" -tile 2x -geometry 1000x+4+4 -background black +dither -colors 256 "PNG8:$work/sheet.png"
 mv "$work/sheet.png" "$out"
 echo "the sheet is in $out"

@@ -35,6 +35,11 @@ expect "demo.sh: duration that is no number" 2 'duration' "$demo" --duration soo
 expect "demo.sh: duration zero" 2 'duration must be positive' "$demo" --duration 0
 expect "demo.sh: scene that does not exist" 2 'there is no scene nosuch; there are: .*dzhanibekov' "$demo" --scene nosuch
 expect "demo.sh: picture that cannot be written" 2 'cannot write /nowhere/shot.png' "$demo" --screenshot /nowhere/shot.png
+compare=$root/scripts/compare.sh
+expect "compare.sh --help" 0 'Usage: scripts/compare.sh' "$compare" --help
+expect "compare.sh: mode that does not exist" 2 'equal_luck is not equal_cost or equal_step' "$compare" --mode equal_luck
+expect "compare.sh: sheet that is no PNG" 2 'does not end with .png' "$compare" --out sheet.jpg
+expect "compare.sh: unknown option" 2 "unknown option '--modes'" "$compare" --modes
 printf 'bodies:\n  - name: b\n    inertia: [1, -2, 3]\n    angular_velocity: [0, 0, 1]\n' > "$work/bad.yaml"
 expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$demo" --headless --scene "$work/bad.yaml"
 printf 'bodies:\n  - name: b\n    inertia: [1, 2, 3]\n    angular_velocity: [0, 0.1, 1]\n    method: rk4\n    step: 5\n' > "$work/hopeless.yaml"
