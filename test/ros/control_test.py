@@ -29,9 +29,9 @@ class ControlTest(unittest.TestCase):
     def setUp(self):
         self.control.speed(1.0)
         self.control.pause(False)
-        since = self.states.count()
+        segment, since = self.states.last().segment, self.states.count()
         self.control.reset()
-        self.states.next_where(lambda s: s.time_rate == 1 and 0 <= s.time < 0.2, since=since)
+        self.states.next_where(lambda s: s.segment > segment and s.time_rate == 1 and 0 <= s.time < 0.2, since=since)
 
     def tearDown(self):
         messages = self.states.all()
