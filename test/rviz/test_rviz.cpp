@@ -1,7 +1,6 @@
 // RViz itself, in this process, on whatever display there is: does it show what a file of rviz/ promises, and no error?
 // Usage: test_rviz VIEW.rviz --gtest_filter=WithNode.* or WithoutNode.*
 #include <gtest/gtest.h>
-#include <ros/master.h>
 #include <ros/ros.h>
 #include <ros/topic.h>
 #include <rviz/display_group.h>
@@ -10,6 +9,7 @@
 #include <rviz/visualization_frame.h>
 #include <rviz/visualization_manager.h>
 #include <tf2_msgs/TFMessage.h>
+#include <yaml-cpp/yaml.h>
 
 #include <QApplication>
 #include <QDir>
@@ -146,23 +146,26 @@ QString broken(const QTemporaryDir& directory, const QString& what, const QStrin
   return out.fileName();
 }
 
-/** The bodies that somebody describes. */
-std::vector<std::string> bodies() {
-  const std::string ending = "/description";
-  ros::master::V_TopicInfo topics;
-  ros::master::getTopics(topics);
+/** The names of the bodies in the scene that the node was given, as a file or as a tree; empty where there is no node.
+ */
+std::vector<std::string> bodiesOfScene() {
   std::vector<std::string> out;
-  for (const ros::master::TopicInfo& topic : topics) {
-    if (topic.datatype == "poinsot/BodyDescription")
-      out.push_back(topic.name.substr(1, topic.name.size() - 1 - ending.size()));
+  std::string file;
+  XmlRpc::XmlRpcValue tree;
+  if (ros::param::get("/poinsot/scene_file", file)) {
+    for (const YAML::Node& body : YAML::LoadFile(file)["bodies"]) out.push_back(body["name"].as<std::string>());
+  } else if (ros::param::get("/poinsot/scene", tree)) {
+    for (int i = 0; i < tree["bodies"].size(); ++i) out.push_back(tree["bodies"][i]["name"]);
   }
   return out;
 }
 
-/** What bodies that turn, as all do in the scenes shown, must show at least. */
+std::vector<std::string> bodies;
+
+/** What a scene's bodies, all of which turn, must show at least. */
 std::set<std::string> wantedNamespaces() {
   std::set<std::string> out;
-  for (const std::string& name : bodies()) {
+  for (const std::string& name : bodies) {
     for (const char* part : {"shape", "label"}) out.insert(name + "/" + part);
     for (const char* picture : {"space", "model"}) {
       for (const char* part : {"energy_ellipsoid", "momentum_ellipsoid", "polhode", "omega"}) {
@@ -199,8 +202,9 @@ class WithNode : public testing::Test {
       trouble = "no node: nothing on /tf";
       return;
     }
-    if (bodies().empty()) {
-      trouble = "a node that describes no body";
+    bodies = bodiesOfScene();
+    if (bodies.empty()) {
+      trouble = "no scene on the parameter server";
       return;
     }
     ros::WallDuration(kHeadStart).sleep();
