@@ -11,13 +11,35 @@ namespace {
 
 constexpr double kLargestGridIndex = 9007199254740992.0;  // 2^53: beyond it t/h no longer tells two steps apart
 
-MotionSetup checked(MotionSetup setup) {
+void checkStep(const MotionSetup& setup) {
+  if (setup.step && *setup.step > 0 && std::isfinite(*setup.step)) return;
+  throw std::invalid_argument("a stepper needs a step that is positive and finite");
+}
+
+void checkTorqued(const MotionSetup& setup) {
   if (setup.method == kClosedForm) {
+    throw std::invalid_argument(std::string(kClosedForm) + " is the motion of a free body; " +
+                                nameOf(setup.effects.front()) + " makes it another, for which there is " +
+                                torqueMethodNames());
+  }
+  const TorqueMethod* method = findTorqueMethod(setup.method);
+  if (!method) {
+    throw std::invalid_argument("method \"" + setup.method + "\" takes no torques; " + torqueMethodNames() + " do");
+  }
+  const std::string objection = objectionTo(*method, sumOf(setup.inertia, setup.effects));
+  if (!objection.empty()) throw std::invalid_argument(objection);
+  checkStep(setup);
+}
+
+MotionSetup checked(MotionSetup setup) {
+  if (!setup.effects.empty()) {
+    checkTorqued(setup);
+  } else if (setup.method == kClosedForm) {
     if (setup.step) throw std::invalid_argument("the closed form takes no step");
   } else if (!findMethod(setup.method)) {
     throw std::invalid_argument("method \"" + setup.method + "\" is not one of " + kClosedForm + ", " + methodNames());
-  } else if (!setup.step || !(*setup.step > 0) || !std::isfinite(*setup.step)) {
-    throw std::invalid_argument("a stepper needs a step that is positive and finite");
+  } else {
+    checkStep(setup);
   }
   if (!setup.omega_body.allFinite()) throw std::invalid_argument("angular velocity must be finite");
   if (const std::string problem = outOfRange(setup.inertia, setup.omega_body); !problem.empty()) {
@@ -42,11 +64,25 @@ Eigen::Vector3d principalOmega(const PrincipalInertia& inertia, const Eigen::Vec
   return inertia.axes().conjugate() * omega_body;
 }
 
-StepperTrajectory trajectory(const MotionSetup& setup, double step) {
-  const Eigen::Vector3d& moments = setup.inertia.moments();
-  return {findMethod(setup.method)->make(moments),
-          RotationState::fromOmega(moments, principalAttitude(setup), principalOmega(setup.inertia, setup.omega_body)),
-          step};
+RotationState startOf(const MotionSetup& setup) {
+  return RotationState::fromOmega(setup.inertia.moments(), principalAttitude(setup),
+                                  principalOmega(setup.inertia, setup.omega_body));
+}
+
+FreeFlow freeFlow(const MotionSetup& setup) {
+  return {findMethod(setup.method)->make(setup.inertia.moments())};
+}
+
+TorquedFlow torquedFlow(const MotionSetup& setup) {
+  return {findTorqueMethod(setup.method)->make(sumOf(setup.inertia, setup.effects))};
+}
+
+/** A slug starts with the body. */
+TorquedState torquedStart(const MotionSetup& setup, const Torques& torques) {
+  TorquedState start;
+  start.rotation = startOf(setup);
+  if (torques.slug()) start.slug_omega = principalOmega(setup.inertia, setup.omega_body);
+  return start;
 }
 
 }  // namespace
@@ -65,10 +101,8 @@ std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& o
   return !energy.empty() ? energy : problem("the squared angular momentum", invariants.momentum_squared);
 }
 
-Motion::Grid::Grid(const MotionSetup& setup)
-    : step(*setup.step), forwards(trajectory(setup, step)), backwards(trajectory(setup, -step)) {}
-
-Motion::Place Motion::Grid::locate(double t) const {
+template <class Flow>
+Motion::Place Motion::Grid<Flow>::locate(double t) const {
   const double distance = std::abs(t);
   const double n = std::floor(distance / step);
   if (!(n < kLargestGridIndex)) throw std::out_of_range("time is not finite, or too far for steps this short");
@@ -76,44 +110,62 @@ Motion::Place Motion::Grid::locate(double t) const {
   return {static_cast<std::int64_t>(n), std::copysign(rest, t)};
 }
 
-double Motion::Grid::stepsTo(double t) const {
+template <class Flow>
+double Motion::Grid<Flow>::stepsTo(double t) const {
   if (!(std::abs(t) / step < kLargestGridIndex)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(towards(t).stepsTo(locate(t).n));
 }
 
-RotationState Motion::Grid::at(double t) {
+template <class Flow>
+typename Flow::State Motion::Grid<Flow>::at(double t) {
   const Place place = locate(t);
-  StepperTrajectory& grid = towards(t);
-  RotationState state = grid.at(place.n);
-  if (place.remainder != 0) grid.stepper().advance(state, place.remainder, 1);
+  GridTrajectory<Flow>& grid = towards(t);
+  typename Flow::State state = grid.at(place.n);
+  if (place.remainder != 0)
+    grid.flow().advancePart(state, std::copysign(static_cast<double>(place.n) * step, t), place.remainder);
   return state;
 }
 
 Motion::Motion(const MotionSetup& setup)
-    : setup_(checked(setup)),
-      principal_axes_are_body_axes_(principalAxesAreBodyAxes(setup_)),
-      exact_(setup_.inertia.moments(), principalAttitude(setup_), principalOmega(setup_.inertia, setup_.omega_body)) {
-  if (setup_.method != kClosedForm) grid_.emplace(setup_);
+    : setup_(checked(setup)), principal_axes_are_body_axes_(principalAxesAreBodyAxes(setup_)) {
+  if (!setup_.effects.empty()) {
+    const TorquedFlow flow = torquedFlow(setup_);
+    torqued_.emplace(flow, torquedStart(setup_, flow.stepper->torques()), *setup_.step);
+    return;
+  }
+  exact_.emplace(setup_.inertia.moments(), principalAttitude(setup_),
+                 principalOmega(setup_.inertia, setup_.omega_body));
+  if (setup_.method != kClosedForm) grid_.emplace(freeFlow(setup_), startOf(setup_), *setup_.step);
 }
 
 double Motion::stepsTo(double t) const {
   if (grid_) return grid_->stepsTo(t);
+  if (torqued_) return torqued_->stepsTo(t);
   return std::isfinite(t) ? 0 : std::numeric_limits<double>::infinity();
 }
 
 bool Motion::prepare(double t, const std::atomic<bool>& cancel) {
-  if (grid_) return grid_->towards(t).moveTo(grid_->locate(t).n, cancel);
+  if (grid_) return grid_->prepare(t, cancel);
+  if (torqued_) return torqued_->prepare(t, cancel);
   if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
   return true;
 }
 
+Work Motion::work() const {
+  Work work;
+  if (grid_) (work += grid_->forwards.work()) += grid_->backwards.work();
+  if (torqued_) (work += torqued_->forwards.work()) += torqued_->backwards.work();
+  return work;
+}
+
 bool Motion::conservesMomentum() const {
-  return !grid_ || findMethod(setup_.method)->conserves_momentum;
+  return !torqued_ && (!grid_ || findMethod(setup_.method)->conserves_momentum);
 }
 
 double Motion::attitudeError(const MotionState& state) const {
+  if (torqued_) return std::numeric_limits<double>::quiet_NaN();
   if (!grid_) return 0;
-  const Eigen::Quaterniond exact = exact_.at(state.time).attitude;
+  const Eigen::Quaterniond exact = exact_->at(state.time).attitude;
   return angleBetween(state.attitude,
                       principal_axes_are_body_axes_ ? exact : exact * setup_.inertia.axes().conjugate());
 }
@@ -124,9 +176,27 @@ MotionState Motion::at(double t) {
     const RotationState state = grid_->at(t);
     return describe(t, state, state.omegaBody(moments));
   }
+  if (torqued_) {
+    const TorquedState state = torqued_->at(t);
+    MotionState out = describe(t, state.rotation, state.rotation.omegaBody(moments));
+    describeTorques(state, out);
+    return out;
+  }
   if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
-  const ClosedForm::State state = exact_.at(t);
+  const ClosedForm::State state = exact_->at(t);
   return describe(t, RotationState::fromOmega(moments, state.attitude, state.omega_body), state.omega_body);
+}
+
+void Motion::describeTorques(const TorquedState& principal, MotionState& out) const {
+  const Torques& torques = *this->torques();
+  const RotationState& rotation = principal.rotation;
+  const Torques::Constant& constant = torques.constant(torques.intervalAt(out.time));
+  out.torque_world = rotation.attitude * torques.at(out.time, constant, rotation.attitude,
+                                                    rotation.omegaBody(torques.moments()), principal.slug_omega);
+  if (torques.slug()) {
+    out.slug_omega = setup_.inertia.axes() * principal.slug_omega;
+    out.momentum_world += rotation.attitude * (torques.slug()->inertia * principal.slug_omega);
+  }
 }
 
 MotionState Motion::describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const {

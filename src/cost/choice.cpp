@@ -9,6 +9,7 @@
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
+#include "poinsot/cost/torque_choice.h"
 
 namespace poinsot::cost {
 namespace {
@@ -255,6 +256,7 @@ class Search {
 }  // namespace
 
 Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+  if (!setup.effects.empty()) return chooseUnderTorques(setup, wish, costs);
   return Search(setup, wish, costs).run();
 }
 

@@ -13,6 +13,7 @@
 #include "poinsot/core/motion.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/cost/cpu_time.h"
+#include "poinsot/cost/torque_choice.h"
 
 namespace poinsot::cost {
 namespace {
@@ -34,11 +35,13 @@ double fastest(const Motion& start, int count, Use use) {
   return best;
 }
 
-MethodCost measure(const std::string& method) {
+/** A free body, or a heavy top. */
+MethodCost measure(const std::string& method, const std::vector<Effect>& effects = {}) {
   MotionSetup setup;
   setup.inertia = PrincipalInertia::fromMoments({1, 2, 3});
   setup.omega_body = {0.6, 0.5, 0.7};
   setup.method = method;
+  setup.effects = effects;
   if (method != kClosedForm) setup.step = kStep;
   const Motion start(setup);
   [[maybe_unused]] volatile double sink = 0;
@@ -80,6 +83,9 @@ std::map<std::string, MethodCost> cached(const std::string& file) {
   }
   for (const Method& method : methods()) {
     if (!costs.count(method.name)) return {};
+  }
+  for (const TorqueMethod& method : torqueMethods()) {
+    if (!costs.count(torqueCostName(method.name))) return {};
   }
   return costs.count(kClosedForm) ? costs : std::map<std::string, MethodCost>();
 }
@@ -125,6 +131,9 @@ double MethodCosts::perSimulatedSecond(const std::string& method, double step, d
 MethodCosts measureCosts() {
   std::map<std::string, MethodCost> costs = {{kClosedForm, measure(kClosedForm)}};
   for (const Method& method : methods()) costs[method.name] = measure(method.name);
+  const GravityTorque weight{1, {0, 0, -1}, {0.1, -0.1, 0.3}};
+  for (const TorqueMethod& method : torqueMethods())
+    costs[torqueCostName(method.name)] = measure(method.name, {weight});
   return MethodCosts(costs);
 }
 

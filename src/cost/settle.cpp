@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "poinsot/cost/choice.h"
+#include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 
@@ -22,9 +23,23 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
   if (choice.step) out += " with a step of " + shown(*choice.step, "%.6g") + " s";
   out += " for an accuracy of " + shown(wish.error) + " rad over " + shown(wish.horizon) + " s; estimated error " +
          shown(choice.estimated_error) + " rad, ";
-  out += choice.step ? "verified by the closed form " + shown(choice.verified_error) + " rad"
-                     : "held to by references of 60 digits";
+  if (!body.effects.empty()) {
+    out += "verified by step refinement " + shown(choice.verified_error);
+    if (choice.verified_error > wish.error) out += ", which is as near as doubles come: the motion is that sensitive";
+  } else {
+    out += choice.step ? "verified by the closed form " + shown(choice.verified_error) + " rad"
+                       : "held to by references of 60 digits";
+  }
   return out + "; cost " + shown(choice.cost) + " CPU s per simulated s";
+}
+
+/** To the accuracy, or, where that is out of reach, as near to it as doubles come. */
+Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+  try {
+    return choose(setup, wish, costs);
+  } catch (const Unreachable&) {
+    return mostExactUnderTorques(setup, wish, costs);
+  }
 }
 
 }  // namespace
@@ -36,16 +51,17 @@ std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
     if (!body.accuracy) continue;
     if (!costs) costs = costsOfThisMachine();
     const scene::Accuracy& wish = *body.accuracy;
+    const MotionSetup setup = scene::motionSetup(body);
+    const Wish asked{wish.error, wish.horizon, rate, wish.candidates};
     try {
-      const Choice choice = choose(scene::motionSetup(body), {wish.error, wish.horizon, rate, wish.candidates}, *costs);
+      const Choice choice = wish.by_default ? asWellAsCanBe(setup, asked, *costs) : choose(setup, asked, *costs);
       body.method = choice.method;
       body.step = choice.step;
       out.push_back(sentence(body, choice));
     } catch (const Unreachable& error) {
       throw scene::Error(
-          wish.place + error.what() +
-          "; allowed: a larger accuracy, a shorter horizon, or no method, which is closed_form and reaches " +
-          shown(kClosedFormError));
+          wish.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
+          (body.effects.empty() ? ", or no method, which is closed_form and reaches " + shown(kClosedFormError) : ""));
     }
   }
   return out;

@@ -28,18 +28,6 @@ geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::str
   return out;
 }
 
-std::string text(const char* what, const Eigen::Vector3d& v) {
-  std::ostringstream out;
-  out.precision(17);
-  out << what << " [" << v.x() << ", " << v.y() << ", " << v.z() << "]";
-  return out.str();
-}
-
-std::string text(const Translation& t) {
-  return "translation: " + text("position", t.position) + ", " + text("velocity", t.velocity) + ", " +
-         text("acceleration", t.acceleration);
-}
-
 }  // namespace
 
 Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle)
@@ -142,7 +130,8 @@ BodyDescription Body::description() const {
   out.method = setup.method;
   out.step = setup.step.value_or(std::numeric_limits<double>::quiet_NaN());
   out.accuracy = accuracy_;
-  if (setup.translation) out.effects.push_back(text(*setup.translation));
+  if (setup.translation) out.effects.push_back(std::string(Translation::kName) + ": " + setup.translation->text());
+  for (const Effect& effect : setup.effects) out.effects.push_back(textOf(effect));
   out.metres_per_radian_per_second = picture_.scale().metres_per_radian_per_second;
   out.metres_per_angular_momentum = picture_.scale().metres_per_angular_momentum;
   return out;

@@ -1,6 +1,8 @@
 #include "body_reader.h"
 
+#include <cmath>
 #include <stdexcept>
+#include <variant>
 
 #include "effect_reader.h"
 #include "fields.h"
@@ -13,6 +15,8 @@
 
 namespace poinsot::scene {
 namespace {
+
+constexpr double kSameMass = 1e-6;  // relative
 
 const char* const kAllowedBody = "a body, such as {name: brick, inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}";
 
@@ -55,6 +59,28 @@ void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::strin
   }
 }
 
+/**
+ * A shape's moments are about its centre of mass; a body that hangs on a pivot turns about that (Steiner). Body axes
+ * keep their directions.
+ */
+void movePivot(const Fields& fields, Body& body) {
+  if (!body.shape) return;
+  for (const Effect& effect : body.effects) {
+    const auto* weight = std::get_if<GravityTorque>(&effect);
+    if (!weight) continue;
+    const double mass = body.shape->mass();
+    if (!(std::abs(weight->mass - mass) <= kSameMass * mass)) {
+      fields.find("effects")->refuse("the mass of gravity_torque, " + shownNumber(weight->mass) +
+                                         " kg, is not that of the shape, " + shownNumber(mass) + " kg",
+                                     "the same mass in both");
+    }
+    const Eigen::Vector3d& c = weight->centre_of_mass;
+    body.shape_position = c;
+    body.inertia = PrincipalInertia::fromTensor(
+        body.shape->inertiaTensor() + mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose()));
+  }
+}
+
 void readAngularVelocity(const Fields& fields, Body& body) {
   const Quantity& quantity = quantity::kAngularVelocity;
   const Place place = fields.require("angular_velocity", allowedNumbers(3, quantity));
@@ -75,10 +101,11 @@ Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
   Body body;
   body.name = readName(fields.require("name", "a letter, then letters, digits and underscores"));
   readInertiaOrShape(fields, body, warnings);
+  if (const auto effects = fields.find("effects")) readEffects(*effects, body);
+  movePivot(fields, body);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
   readAngularVelocity(fields, body);
   readMethod(fields, body, warnings);
-  if (const auto effects = fields.find("effects")) readEffects(*effects, body);
   return body;
 }
 

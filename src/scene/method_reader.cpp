@@ -1,10 +1,12 @@
 #include "method_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "number.h"
 #include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
 #include "words.h"
 
 namespace poinsot::scene {
@@ -13,6 +15,10 @@ namespace {
 const char* const kAnyStepper = "stepper";  // beside an accuracy: any method but the closed form
 constexpr double kLargestAccuracy = 1;      // rad
 
+// Where a scene names neither method nor accuracy for a body with effects. The time is about that of a look at a scene.
+constexpr double kDefaultAccuracy = 1e-9, kDefaultHorizon = 60;  // rad, s
+
+/** Of a free body; with `stepper`, which stands for any of the others. */
 std::vector<std::string> namesOfMethods() {
   std::vector<std::string> names = {kClosedForm};
   for (const Method& method : methods()) names.push_back(method.name);
@@ -20,8 +26,52 @@ std::vector<std::string> namesOfMethods() {
   return names;
 }
 
+/** The same of a body with effects. */
+std::vector<std::string> namesOfTorqueMethods() {
+  std::vector<std::string> names;
+  for (const TorqueMethod& method : torqueMethods()) names.push_back(method.name);
+  names.push_back(kAnyStepper);
+  return names;
+}
+
+std::vector<std::string> candidatesUnder(const Torques& torques) {
+  std::vector<std::string> names;
+  for (const TorqueMethod& method : torqueMethods()) {
+    if (objectionTo(method, torques).empty()) names.push_back(method.name);
+  }
+  return names;
+}
+
+std::string readMethodName(const Place& place, const Body& body) {
+  const std::vector<std::string> names = namesOfMethods(), torque_names = namesOfTorqueMethods();
+  const auto isOne = [](const std::vector<std::string>& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+  };
+  const std::string word = place.node().IsScalar() ? place.node().Scalar() : "";
+  if (body.effects.empty()) {
+    if (isOne(torque_names, word) && !isOne(names, word)) {
+      place.refuse(word + " is a method for bodies with effects, and nothing acts on this one", joined(names));
+    }
+    return readChoice(place, names);
+  }
+  const std::string effect = nameOf(body.effects.front());
+  if (word == kClosedForm) {
+    place.refuse("closed_form is the motion of a free body, and " + effect + " makes it another, which has none",
+                 joined(torque_names) + ", or no method, which leaves the choice");
+  }
+  if (isOne(names, word) && !isOne(torque_names, word)) {
+    place.refuse(word + " is a method for free bodies and takes no " + effect, joined(torque_names));
+  }
+  const std::string name = readChoice(place, torque_names);
+  if (const TorqueMethod* method = findTorqueMethod(name)) {
+    const std::string objection = objectionTo(*method, sumOf(body.inertia, body.effects));
+    if (!objection.empty()) place.refuse(objection, joined(candidatesUnder(sumOf(body.inertia, body.effects))));
+  }
+  return name;
+}
+
 /** @param method empty where the scene names none. */
-Accuracy readAccuracy(const Place& place, const Fields& fields, const std::string& method) {
+Accuracy readAccuracy(const Place& place, const Fields& fields, const Body& body, const std::string& method) {
   Accuracy out;
   out.error = readNumber(place, quantity::kAngleError);
   if (!(out.error <= kLargestAccuracy)) {
@@ -33,6 +83,8 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const std::strin
                  quantity::kDuration);
   if (!method.empty() && method != kAnyStepper) {
     out.candidates = {method};
+  } else if (!body.effects.empty()) {
+    out.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
   } else {
     if (method.empty()) out.candidates.push_back(kClosedForm);
     for (const Method& candidate : methods()) out.candidates.push_back(candidate.name);
@@ -47,19 +99,27 @@ double roundedDown(double x) {
   return unit > 0 ? std::floor(x / unit) * unit : x;
 }
 
+StepJudgement judgement(const Body& body) {
+  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
+  if (body.effects.empty()) return judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
+  return judgeTorqueStep(*findTorqueMethod(body.method), sumOf(body.inertia, body.effects),
+                         body.attitude * body.inertia.axes(), omega, *body.step);
+}
+
 /** Refuses a step at which the method does not follow this body, or appends a warning. */
 void judge(const Place& place, const Body& body, std::vector<std::string>& warnings) {
-  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
-  const StepJudgement judgement = judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
-  if (judgement.grade == StepJudgement::Grade::sound) return;
+  const StepJudgement judged = judgement(body);
+  if (judged.grade == StepJudgement::Grade::sound) return;
   const std::string problem = body.method + " with a step of " + shownNumber(*body.step) +
-                              " s at |Omega| = " + shownNumber(omega.stableNorm()) + " rad/s: " + judgement.reason;
-  const bool some_step_will_do = judgement.largest_sound > 0;
+                              " s at |Omega| = " + shownNumber(body.omega_body.stableNorm()) +
+                              " rad/s: " + judged.reason;
+  const bool some_step_will_do = judged.largest_sound > 0;
   const std::string instead =
-      (some_step_will_do ? "a step of at most " + shownNumber(roundedDown(judgement.largest_sound)) + " s, or "
+      (some_step_will_do ? "a step of at most " + shownNumber(roundedDown(judged.largest_sound)) + " s, or "
                          : std::string()) +
-      kClosedForm + ", which has no step";
-  if (judgement.grade == StepJudgement::Grade::hopeless) place.refuse(problem, instead);
+      (body.effects.empty() ? std::string(kClosedForm) + ", which has no step"
+                            : "no method and no step, which leaves the choice");
+  if (judged.grade == StepJudgement::Grade::hopeless) place.refuse(problem, instead);
   warnings.push_back(place.message(problem + "; better: " + instead));
 }
 
@@ -73,9 +133,9 @@ void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warn
     horizon->refuse("a horizon says how long an accuracy must hold, and the key accuracy is missing",
                     "accuracy beside it, " + allowedNumber(quantity::kAngleError));
   }
-  if (method) body.method = readChoice(*method, namesOfMethods(), {});
+  if (method) body.method = readMethodName(*method, body);
   if (accuracy) {
-    body.accuracy = readAccuracy(*accuracy, fields, method ? body.method : std::string());
+    body.accuracy = readAccuracy(*accuracy, fields, body, method ? body.method : std::string());
     if (step) {
       step->refuse("the key accuracy stands beside it, from which the step follows", "accuracy or step, not both");
     }
@@ -83,9 +143,24 @@ void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warn
   }
   if (body.method == kAnyStepper) {
     method->refuse("stepper leaves it to an accuracy which one, and the key accuracy is missing",
-                   "accuracy and horizon beside it, or one of " + methodNames() + " and a step");
+                   "accuracy and horizon beside it, or one of " +
+                       (body.effects.empty() ? methodNames() : torqueMethodNames()) + " and a step");
   }
-  if (body.method == kClosedForm) {
+  if (!body.effects.empty() && !method) {
+    if (step) {
+      step->refuse("no method is named that would take it",
+                   "no step, or one beside a method: " + joined(candidatesUnder(sumOf(body.inertia, body.effects))));
+    }
+    Accuracy wish;
+    wish.error = kDefaultAccuracy;
+    wish.horizon = kDefaultHorizon;
+    wish.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
+    wish.place = fields.place().message("");
+    wish.by_default = true;
+    body.accuracy = wish;
+    return;
+  }
+  if (body.effects.empty() && body.method == kClosedForm) {
     if (!step) return;
     step->refuse(
         method ? "closed_form takes no step" : "no method is named, and the default, closed_form, takes no step",

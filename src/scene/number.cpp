@@ -4,6 +4,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <stdexcept>
 
 namespace poinsot::scene {
 namespace {
@@ -67,7 +68,15 @@ double valueOf(const std::string& text) {
 }
 
 std::string allowedKind(const Quantity& quantity) {
-  return quantity.positive ? "positive finite" : "finite";
+  switch (quantity.range) {
+    case Quantity::Range::positive:
+      return "positive finite";
+    case Quantity::Range::not_negative:
+      return "finite, not negative";
+    case Quantity::Range::any:
+      return "finite";
+  }
+  throw std::logic_error("unknown range of numbers");
 }
 
 std::string unitOf(const Quantity& quantity) {
@@ -95,7 +104,8 @@ double readNumber(const Place& place, const Quantity& quantity) {
   if (notation == Notation::none) refuse(" is not a decimal number");
   const double value = valueOf(text);
   if (!std::isfinite(value)) refuse(" is not finite in double precision");
-  if (quantity.positive && !(value > 0)) refuse(" is not positive");
+  if (quantity.range == Quantity::Range::positive && !(value > 0)) refuse(" is not positive");
+  if (quantity.range == Quantity::Range::not_negative && value < 0) refuse(" is negative");
   return value;
 }
 

@@ -11,25 +11,31 @@ namespace poinsot::scene {
 
 /** What a number stands for: it decides which values are allowed, and how a message says so. */
 struct Quantity {
-  bool positive;     ///< else any finite value
+  enum class Range { positive, not_negative, any };
+  Range range;       ///< besides being finite
   const char* unit;  ///< empty for a pure number
 };
 
 namespace quantity {
-constexpr Quantity kRate{true, "Hz"};
-constexpr Quantity kInertia{true, "kg·m²"};
-constexpr Quantity kInertiaEntry{false, "kg·m²"};
-constexpr Quantity kMass{true, "kg"};
-constexpr Quantity kLength{true, "m"};
-constexpr Quantity kPosition{false, "m"};
-constexpr Quantity kVelocity{false, "m/s"};
-constexpr Quantity kAcceleration{false, "m/s²"};
-constexpr Quantity kAngularVelocity{false, "rad/s"};
-constexpr Quantity kAngle{false, "rad"};
-constexpr Quantity kAngleError{true, "rad"};
-constexpr Quantity kStep{true, "s"};
-constexpr Quantity kDuration{true, "s"};
-constexpr Quantity kQuaternionEntry{false, ""};
+constexpr Quantity kRate{Quantity::Range::positive, "Hz"};
+constexpr Quantity kInertia{Quantity::Range::positive, "kg·m²"};
+constexpr Quantity kInertiaEntry{Quantity::Range::any, "kg·m²"};
+constexpr Quantity kMass{Quantity::Range::positive, "kg"};
+constexpr Quantity kLength{Quantity::Range::positive, "m"};
+constexpr Quantity kPosition{Quantity::Range::any, "m"};
+constexpr Quantity kVelocity{Quantity::Range::any, "m/s"};
+constexpr Quantity kAcceleration{Quantity::Range::any, "m/s²"};
+constexpr Quantity kAngularVelocity{Quantity::Range::any, "rad/s"};
+constexpr Quantity kAngle{Quantity::Range::any, "rad"};
+constexpr Quantity kAngleError{Quantity::Range::positive, "rad"};
+constexpr Quantity kStep{Quantity::Range::positive, "s"};
+constexpr Quantity kTime{Quantity::Range::any, "s"};
+constexpr Quantity kTorque{Quantity::Range::any, "N·m"};
+constexpr Quantity kDamping{Quantity::Range::not_negative, "N·m·s"};
+constexpr Quantity kOrbitRate{Quantity::Range::positive, "rad/s"};
+constexpr Quantity kDirection{Quantity::Range::any, ""};
+constexpr Quantity kDuration{Quantity::Range::positive, "s"};
+constexpr Quantity kQuaternionEntry{Quantity::Range::any, ""};
 }  // namespace quantity
 
 /** "a positive finite number (kg)". */

@@ -84,7 +84,7 @@ Assembly makeTwoCylinders(const Fields& f) {
 Solid readPart(const Place& place) {
   const Fields fields(place, "a part, such as {type: box, size: [1, 1, 1], mass: 1}");
   const std::string type =
-      readChoice(fields.require("type", "one of box, ellipsoid, cylinder"), {"box", "ellipsoid", "cylinder"}, {});
+      readChoice(fields.require("type", "one of box, ellipsoid, cylinder"), {"box", "ellipsoid", "cylinder"});
   Solid part;
   if (type == "cylinder") {
     fields.allowOnly({"type", "radius", "height", "mass", "position", "orientation"});
@@ -133,7 +133,7 @@ Assembly readShape(const Place& place) {
   for (const ShapeType& type : shapeTypes()) names.push_back(type.name);
 
   const Fields fields(place, "a shape, such as {type: box, size: [1, 1, 1], mass: 1}");
-  const std::string name = readChoice(fields.require("type", "one of " + joined(names)), names, {});
+  const std::string name = readChoice(fields.require("type", "one of " + joined(names)), names);
   for (const ShapeType& type : shapeTypes()) {
     if (name != type.name) continue;
     std::vector<std::string> keys = {"type"};

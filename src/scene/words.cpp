@@ -73,12 +73,10 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
   return nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?";
 }
 
-std::string readChoice(const Place& place, const std::vector<std::string>& known,
-                       const std::vector<std::string>& planned) {
+std::string readChoice(const Place& place, const std::vector<std::string>& known) {
   if (!place.node().IsScalar()) place.refuse(place.found() + " is not a word", joined(known));
   const std::string& word = place.node().Scalar();
   if (contains(known, word)) return word;
-  if (contains(planned, word)) place.refuse(word + " is not in this version", joined(known));
   place.refuse(place.found() + " is unknown" + didYouMean(word, known), joined(known));
 }
 

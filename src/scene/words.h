@@ -13,13 +13,8 @@ std::string joined(const std::vector<std::string>& words);
 /** `, did you mean "step"?` where one of the candidates is at most two edits away, else nothing. */
 std::string didYouMean(const std::string& word, const std::vector<std::string>& candidates);
 
-/**
- * One word out of a fixed set, such as a type.
- * @param known what this version has
- * @param planned what other versions of the package have; refused with a message that says so
- */
-std::string readChoice(const Place& place, const std::vector<std::string>& known,
-                       const std::vector<std::string>& planned);
+/** One word out of a fixed set, such as a type. */
+std::string readChoice(const Place& place, const std::vector<std::string>& known);
 
 /**
  * A body's name: a letter, then letters, digits and underscores. Words that YAML 1.1 takes as boolean or null are

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/effect.h"
 #include "poinsot/core/effects/translation.h"
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
@@ -19,10 +21,12 @@ struct MotionState {
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< R: body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< Ω [rad/s]
   Eigen::Vector3d omega_world = Eigen::Vector3d::Zero();         ///< ω = RΩ [rad/s]
-  Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();      ///< L [kg·m²/s]
-  double kinetic_energy = 0;                                     ///< E = ½ΩᵀMΩ [J]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();            ///< [m], world axes
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();            ///< [m/s], world axes
+  Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();  ///< L [kg·m²/s]; of a body with a slug, both together
+  double kinetic_energy = 0;                                 ///< E = ½ΩᵀMΩ [J]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();        ///< [m], world axes
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();        ///< [m/s], world axes
+  Eigen::Vector3d torque_world = Eigen::Vector3d::Zero();    ///< all effects together [N·m]; zero for a free body
+  Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();      ///< σ of a slug inside [rad/s], body axes
 
   Invariants invariants() const { return {kinetic_energy, momentum_world.squaredNorm(), momentum_world}; }
 };
@@ -35,6 +39,7 @@ struct MotionSetup {
   std::string method = kClosedForm;
   std::optional<double> step;              ///< [s]; a stepper needs one, the closed form has none
   std::optional<Translation> translation;  ///< not computed where absent
+  std::vector<Effect> effects;             ///< what turns it; a free body has none
 };
 
 /**
@@ -53,7 +58,8 @@ class Motion {
  public:
   /**
    * Throws std::invalid_argument for an unknown method, a stepper without a step that is positive and finite, a closed
-   * form with a step, a zero attitude, an angular velocity that is not finite or outOfRange().
+   * form with a step or with effects, a method that does not take these effects, effects that do not go together, a
+   * zero attitude, an angular velocity that is not finite or outOfRange().
    */
   explicit Motion(const MotionSetup& setup);
 
@@ -71,12 +77,21 @@ class Motion {
   /** Does the stepping that at(t) needs; false when `cancel` became true first. */
   bool prepare(double t, const std::atomic<bool>& cancel);
 
-  bool inClosedForm() const { return !grid_; }
+  bool inClosedForm() const { return !grid_ && !torqued_; }
 
-  /** True when the method keeps L in world axes, to roundoff. */
+  /** What turns the body; nullptr for a free one. */
+  const Torques* torques() const { return torqued_ ? &torqued_->forwards.flow().stepper->torques() : nullptr; }
+
+  /** What all whole steps so far took; nothing in closed form. */
+  Work work() const;
+
+  /** True when L in world axes is constant to roundoff: a free body's, under a method that keeps it. */
   bool conservesMomentum() const;
 
-  /** How far a state of this motion is from the closed form at the same t [rad]: 0 for the closed form itself. */
+  /**
+   * How far a state of this motion is from the closed form at the same t [rad]: 0 for the closed form itself; NaN where
+   * there is none, under torques.
+   */
   double attitudeError(const MotionState& state) const;
 
   const MotionSetup& setup() const { return setup_; }
@@ -87,24 +102,30 @@ class Motion {
     double remainder;  ///< seconds beyond them, with t's sign
   };
   /** What a stepper needs. */
+  template <class Flow>
   struct Grid {
     double step;
-    StepperTrajectory forwards, backwards;
+    GridTrajectory<Flow> forwards, backwards;
 
-    explicit Grid(const MotionSetup& setup);
+    Grid(const Flow& flow, const typename Flow::State& start, double step)
+        : step(step), forwards(flow, start, step), backwards(flow, start, -step) {}
     Place locate(double t) const;
     double stepsTo(double t) const;
-    RotationState at(double t);
-    StepperTrajectory& towards(double t) { return t < 0 ? backwards : forwards; }
-    const StepperTrajectory& towards(double t) const { return t < 0 ? backwards : forwards; }
+    bool prepare(double t, const std::atomic<bool>& cancel) { return towards(t).moveTo(locate(t).n, cancel); }
+    typename Flow::State at(double t);
+    GridTrajectory<Flow>& towards(double t) { return t < 0 ? backwards : forwards; }
+    const GridTrajectory<Flow>& towards(double t) const { return t < 0 ? backwards : forwards; }
   };
 
   MotionState describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const;
+  void describeTorques(const TorquedState& principal, MotionState& out) const;
 
   MotionSetup setup_;
   bool principal_axes_are_body_axes_;
-  ClosedForm exact_;          ///< the motion itself, or what a stepper is compared with; principal axes
-  std::optional<Grid> grid_;  ///< of a stepper
+  // One of the three moves the body. The closed form is also what a free body's stepper is compared with.
+  std::optional<ClosedForm> exact_;           ///< of a free body; principal axes
+  std::optional<Grid<FreeFlow>> grid_;        ///< of a free body's stepper
+  std::optional<Grid<TorquedFlow>> torqued_;  ///< of a body with effects
 };
 
 }  // namespace poinsot

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 
 #include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
 
 /** What a method cannot do: doc/hard_cases.md shows it measured. */
 namespace poinsot {
@@ -51,5 +53,15 @@ struct StepJudgement {
  */
 StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body,
                         double step);
+
+/**
+ * The same for a body under torques, from its start only, where the truth is taylor24, which cuts its steps as needed:
+ * hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the state is lost; doubtful by more than
+ * 0.1 rad. Methods of that family need no judgement. Never throws.
+ *
+ * @param attitude R at the start, principal axes → world, unit.
+ */
+StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Eigen::Quaterniond& attitude,
+                              const Eigen::Vector3d& omega_body, double step);
 
 }  // namespace poinsot

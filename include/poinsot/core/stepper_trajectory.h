@@ -7,8 +7,38 @@
 
 #include "poinsot/core/rotation_state.h"
 #include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/work.h"
 
 namespace poinsot {
+
+/** How a free body goes from one point of a grid to later ones. */
+struct FreeFlow {
+  using State = RotationState;
+  std::shared_ptr<const Stepper> stepper;
+
+  /** From n·step on. */
+  Work advance(State& state, std::int64_t, double step, std::int64_t count) const {
+    return stepper->advance(state, step, count);
+  }
+  /** A part of a step, from t on. */
+  Work advancePart(State& state, double, double part) const { return stepper->advance(state, part, 1); }
+};
+
+/** The same under torques. */
+struct TorquedFlow {
+  using State = TorquedState;
+  std::shared_ptr<const TorqueStepper> stepper;
+
+  Work advance(State& state, std::int64_t n, double step, std::int64_t count) const {
+    Work work;
+    for (const std::int64_t end = n + count; n < end; ++n) {
+      work += stepper->advance(state, static_cast<double>(n) * step, step);
+    }
+    return work;
+  }
+  Work advancePart(State& state, double t, double part) const { return stepper->advance(state, t, part); }
+};
 
 /**
  * The motion under a stepper, on the grid n·h from t = 0, n ≥ 0 (h of either sign).
@@ -16,26 +46,32 @@ namespace poinsot {
  * The state at n is what n steps from the start give, bit for bit, however one got there: going back starts from a
  * checkpoint. Checkpoints are thinned as the motion grows, so memory is bounded. Copies share nothing but the stepper.
  */
-class StepperTrajectory {
+template <class Flow>
+class GridTrajectory {
  public:
+  using State = typename Flow::State;
+
   /** @param step h [s], not zero, finite. */
-  StepperTrajectory(std::shared_ptr<const Stepper> stepper, const RotationState& start, double step);
+  GridTrajectory(Flow flow, const State& start, double step);
 
   /** How many steps at(n) would take now. */
   std::int64_t stepsTo(std::int64_t n) const;
 
   /** The state after n ≥ 0 steps. */
-  const RotationState& at(std::int64_t n);
+  const State& at(std::int64_t n);
 
   /** Like at(n), but gives up, returning false, soon after `cancel` becomes true; what was reached is kept. */
   bool moveTo(std::int64_t n, const std::atomic<bool>& cancel);
 
-  const Stepper& stepper() const { return *stepper_; }
+  const Flow& flow() const { return flow_; }
+
+  /** What all steps so far took. */
+  const Work& work() const { return work_; }
 
  private:
   struct Checkpoint {
     std::int64_t n;
-    RotationState state;
+    State state;
   };
 
   const Checkpoint& nearestBefore(std::int64_t n) const;
@@ -43,13 +79,17 @@ class StepperTrajectory {
   void remember(bool known);
   std::int64_t fineSpacing() const;
 
-  std::shared_ptr<const Stepper> stepper_;
+  Flow flow_;
   double step_;
+  Work work_;
   Checkpoint cursor_;
   std::vector<Checkpoint> coarse_;  ///< every spacing_ steps, from n = 0 towards furthest_
   std::vector<Checkpoint> fine_;    ///< inside the one coarse interval that is being played backwards
   std::int64_t spacing_;
   std::int64_t furthest_ = 0;  ///< greatest n reached
 };
+
+using StepperTrajectory = GridTrajectory<FreeFlow>;
+using TorquedTrajectory = GridTrajectory<TorquedFlow>;
 
 }  // namespace poinsot

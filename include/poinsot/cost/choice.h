@@ -36,9 +36,10 @@ class Unreachable : public std::runtime_error {
 constexpr double kClosedFormError = 2e-15;
 
 /**
- * Chooses the cheapest candidate and step for a free body: for each method the longest step that keeps the accuracy is
- * found by trial over the whole horizon, from the order of the method; then the motion itself is compared with the
- * closed form at its ticks. Methods that cannot become cheaper than the best so far are left out.
+ * Chooses the cheapest candidate and step. Of a body with effects: torque_choice.h. Of a free one: for each method the
+ * longest step that keeps the accuracy is found by trial over the whole horizon, from the order of the method; then the
+ * motion itself is compared with the closed form at its ticks. Methods that cannot become cheaper than the best so far
+ * are left out.
  *
  * @param setup the body and its start; method and step in it are not looked at.
  * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Unreachable.

@@ -7,7 +7,7 @@ namespace poinsot::scene {
 
 /** What a scene's body asks of core. */
 inline MotionSetup motionSetup(const Body& body) {
-  return {body.inertia, body.attitude, body.omega_body, body.method, body.step, body.translation};
+  return {body.inertia, body.attitude, body.omega_body, body.method, body.step, body.translation, body.effects};
 }
 
 }  // namespace poinsot::scene

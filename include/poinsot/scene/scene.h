@@ -8,6 +8,7 @@
 
 #include "poinsot/core/assembly.h"
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/effect.h"
 #include "poinsot/core/effects/translation.h"
 #include "poinsot/core/inertia.h"
 
@@ -18,6 +19,7 @@ struct Accuracy {
   double error;                         ///< of the attitude, at most [rad]
   double horizon;                       ///< for 0 ≤ t ≤ horizon [s]
   std::vector<std::string> candidates;  ///< methods to choose from, at least one
+  bool by_default = false;              ///< the scene says nothing: as well as it can be done, if not so well
   std::string place;                    ///< what a message about it begins with
 };
 
@@ -26,12 +28,14 @@ struct Body {
   std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   std::optional<Assembly> shape;                                 ///< where the scene gives one instead of the inertia
+  Eigen::Vector3d shape_position = Eigen::Vector3d::Zero();      ///< its centre of mass, from a pivot, body axes [m]
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;
   std::optional<double> step;        ///< [s]; every method but the closed form has one
   std::optional<Accuracy> accuracy;  ///< then method and step are still to be chosen (cost/settle.h)
   std::optional<Translation> translation;
+  std::vector<Effect> effects;  ///< what turns it
 };
 
 struct Scene {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cmath>
-
 #include "poinsot/core/compensated_sum.h"
 #include "poinsot/core/rotation_state.h"
+#include "poinsot/core/steppers/move_attitude.h"
 #include "poinsot/core/work.h"
 
 namespace poinsot::steppers {
@@ -44,18 +43,6 @@ class Rk4 {
   }
 
  private:
-  /** q + increment, brought back to |q| = 1 along itself, which does not turn it. */
-  static void moveAttitude(Eigen::Vector4d& q, Eigen::Vector4d& rest, const Eigen::Vector4d& increment) {
-    const Eigen::Vector4d moved = q + increment;
-    const double norm = moved.norm();
-    if (std::abs(norm - 1) < 0.5) {
-      addCompensated<Eigen::Vector4d>(q, rest, increment + (1.0 / norm - 1.0) * moved);
-    } else {  // a step so long that the correction is no small one: as a sum it would lose what is left
-      q = moved / moved.stableNorm();
-      rest.setZero();
-    }
-  }
-
   /** Quaternion coefficients in Eigen's order x, y, z, w. */
   void derivative(const Eigen::Vector4d& q, const Eigen::Vector3d& p, Eigen::Vector4d& dq, Eigen::Vector3d& dp) const {
     const Eigen::Vector3d omega = p.cwiseQuotient(moments_);

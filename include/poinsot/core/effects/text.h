@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+/** Values as text with 17 significant digits, from which they can be read back. */
+namespace poinsot::effects {
+
+std::string text(double value);
+
+/** "[x, y, z]". */
+std::string text(const Eigen::Vector3d& v);
+
+}  // namespace poinsot::effects

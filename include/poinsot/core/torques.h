@@ -1,0 +1,121 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "poinsot/core/inertia.h"
+
+namespace poinsot {
+
+/** In which axes a vector is constant. */
+enum class Axes { body, world };
+
+/**
+ * What a body's effects add up to: the torque τ(t, R, Ω, σ) about its centre of mass or its pivot, as a sum of a few
+ * kinds of terms. An effect says which of them it is made of (effects/); whoever integrates needs to know only these:
+ *
+ *   τ = b(t) + Σᵢ Aᵢ Rᵀxᵢ(t) + 3n² u×(Mu) − DΩ − c(Ω − σ)
+ *
+ * with b constant in the body and x₀ in the world, piecewise in time; xᵢ other world vectors and Aᵢ matrices; u =
+ * Rᵀr(t) the direction r from the centre of an orbit of rate n; D a damping matrix; σ the rate of a slug inside, J(σ̇ +
+ * Ω×σ) = c(Ω − σ).
+ *
+ * Kept in principal axes, that integrators work in. SI units.
+ */
+class Torques {
+ public:
+  /** Of a free body. */
+  explicit Torques(const PrincipalInertia& inertia);
+
+  // What effects call. Vectors "in body axes" refer to those in which the inertia was given. Throw
+  // std::invalid_argument where a term does not go together with what is there.
+
+  /** For all t. @param torque [N·m] */
+  void addConstant(Axes axes, const Eigen::Vector3d& torque) {
+    addBetween(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), axes, torque);
+  }
+  /** For from ≤ t < to [s]. @param torque [N·m] */
+  void addBetween(double from, double to, Axes axes, const Eigen::Vector3d& torque);
+  /** A force constant in the world, at a point fixed in the body: τ = lever × Rᵀforce. @param lever body axes [m] */
+  void addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& force_world);
+  /** A circular orbit. @param normal,radial_at_start world directions, perpendicular, of any length; one orbit a body.
+   */
+  void addGravityGradient(double orbit_rate, const Eigen::Vector3d& normal, const Eigen::Vector3d& radial_at_start);
+  /** τ = −cᵢΩᵢ along each body axis [N·m·s]. */
+  void addDamping(const Eigen::Vector3d& coefficients);
+  /** One slug a body. @param inertia J [kg·m²] @param damping c [N·m·s] */
+  void addSlug(double inertia, double damping);
+
+  // What integrators ask for. All in principal axes.
+
+  /** The part of τ that is piecewise constant in time: constant in the body, and x₀ in the world. */
+  struct Constant {
+    Eigen::Vector3d body = Eigen::Vector3d::Zero(), world = Eigen::Vector3d::Zero();
+  };
+  /** A world vector x and the matrix A by which it becomes a torque, A Rᵀx. */
+  struct Field {
+    Eigen::Vector3d world;
+    Eigen::Matrix3d map;
+  };
+  struct Gradient {
+    double rate;                            ///< n [rad/s]
+    Eigen::Vector3d normal, radial, along;  ///< unit; r(t) = radial cos nt + along sin nt
+    Eigen::Vector3d radialAt(double t) const;
+    Eigen::Vector3d alongAt(double t) const;  ///< ṙ/n
+  };
+  struct Slug {
+    double inertia, damping;
+  };
+
+  const Eigen::Vector3d& moments() const { return moments_; }
+
+  /** Nothing acts. */
+  bool none() const;
+
+  /** Times at which Constant changes, ascending [s]. */
+  const std::vector<double>& switches() const { return switches_; }
+  /** The Constant of interval k, between switches k−1 and k; there is one more of them than of switches. */
+  const Constant& constant(std::size_t interval) const { return constants_[interval]; }
+  /** The interval in which t lies; at a switch the later one. */
+  std::size_t intervalAt(double t) const;
+  /** Some Constant has a part in world axes. */
+  bool hasWorldConstant() const { return has_world_; }
+  /** At most three: more are written as three. */
+  const std::vector<Field>& fields() const { return fields_; }
+  const std::optional<Gradient>& gradient() const { return gradient_; }
+  const std::optional<Eigen::Matrix3d>& damping() const { return damping_; }
+  const std::optional<Slug>& slug() const { return slug_; }
+
+  /** τ depends on t and R alone: nothing is damped. */
+  bool dependsOnAttitudeOnly() const { return !damping_ && !slug_; }
+  /** L(t) in world axes is known beforehand: nothing but torques that are constant in the world. A slug's momentum
+   * counts in. */
+  bool momentumIsKnown() const;
+  /** What those torques add to L from 0 to t [kg·m²/s]. */
+  Eigen::Vector3d impulseWorld(double t) const;
+
+  /** τ [N·m]. @param omega Ω @param slug_omega σ; not looked at where there is no slug. */
+  Eigen::Vector3d at(double t, const Constant& constant, const Eigen::Quaterniond& attitude,
+                     const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
+  /** σ̇ [rad/s²]; zero where there is no slug. */
+  Eigen::Vector3d slugAcceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
+
+ private:
+  Eigen::Vector3d principal(const Eigen::Vector3d& body) const { return axes_.conjugate() * body; }
+
+  Eigen::Vector3d moments_;
+  Eigen::Quaterniond axes_;  ///< principal → body
+  std::vector<double> switches_;
+  std::vector<Constant> constants_ = {Constant()};
+  bool has_world_ = false;
+  std::vector<Field> fields_;
+  std::optional<Gradient> gradient_;
+  std::optional<Eigen::Matrix3d> damping_;
+  std::optional<Slug> slug_;
+};
+
+}  // namespace poinsot

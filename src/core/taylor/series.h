@@ -1,0 +1,160 @@
+// The recurrences. Included by one source file for each instruction set, which defines POINSOT_TAYLOR_LEVEL.
+#include "kernel.h"
+
+namespace poinsot::taylor {
+namespace POINSOT_TAYLOR_LEVEL {
+
+using Four = double __attribute__((vector_size(32)));
+using Order = long long __attribute__((vector_size(32)));
+
+constexpr double kMostTail = 1e-2;  // of the state, for the last two terms
+
+inline Four four(const double* v) {
+  return Four{v[0], v[1], v[2], 0};
+}
+inline Four yzx(Four v) {
+  return __builtin_shuffle(v, Order{1, 2, 0, 3});
+}
+inline Four zxy(Four v) {
+  return __builtin_shuffle(v, Order{2, 0, 1, 3});
+}
+inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+inline double absolute(double a) {
+  return __builtin_fabs(a);
+}
+inline double largest(Four v) {
+  return larger(larger(absolute(v[0]), absolute(v[1])), larger(absolute(v[2]), absolute(v[3])));
+}
+
+/** A vector in body axes, and its axes permuted: what products of series take. */
+struct Coefficients {
+  Four plain[kMostOrder + 1], yzx[kMostOrder + 1], zxy[kMostOrder + 1];
+
+  void set(int k, Four v) {
+    plain[k] = v;
+    yzx[k] = POINSOT_TAYLOR_LEVEL::yzx(v);
+    zxy[k] = POINSOT_TAYLOR_LEVEL::zxy(v);
+  }
+};
+
+/** Column by column. */
+inline Four times(const double* map, Four v) {
+  return four(map) * v[0] + four(map + 3) * v[1] + four(map + 6) * v[2];
+}
+
+/** Σ cₖhᵏ for k = order … 1. */
+inline Four sum(const Four* c, int order, double h) {
+  // Even and odd powers apart: half as long a chain.
+  const double square = h * h;
+  Four even = c[order & ~1], odd = c[(order - 1) | 1];
+  for (int k = (order & ~1) - 2; k >= 2; k -= 2) even = even * square + c[k];
+  for (int k = ((order - 1) | 1) - 2; k >= 1; k -= 2) odd = odd * square + c[k];
+  return even * square + odd * h;
+}
+
+/**
+ * Carried vectors: all obey v̇ = v×Ω + something linear. They are the fields, then r and ṙ/n of an orbit, then σ.
+ * Their number is a template's, so that their products are all formed in one loop over the coefficients of Ω.
+ */
+template <int carried>
+bool step(const Body& body, const Start& start, int order, double h, Increment& out) {
+  Coefficients omega, vectors[carried > 0 ? carried : 1];
+  Four attitude[kMostOrder + 1];
+  const int radial = body.fields, along = radial + 1, slug = radial + (body.gradient ? 2 : 0);
+
+  omega.set(0, four(start.omega));
+  attitude[0] = Four{start.attitude[0], start.attitude[1], start.attitude[2], start.attitude[3]};
+  for (int i = 0; i < body.fields; ++i) vectors[i].set(0, four(start.fields[i]));
+  if (body.gradient) {
+    vectors[radial].set(0, four(start.radial));
+    vectors[along].set(0, four(start.along));
+  }
+  if (body.slug) vectors[slug].set(0, four(start.slug_omega));
+
+  const Four moments = Four{body.moments[0], body.moments[1], body.moments[2], 1};
+  // Λ×Ω = (μⱼ − μₖ)ΩⱼΩₖ, and so u×Mu with the opposite sign.
+  const Four differences = yzx(moments) - zxy(moments);
+  const double gradient = 3 * body.orbit_rate * body.orbit_rate;
+
+  for (int k = 0; k < order; ++k) {
+    Four gyroscopic = {}, a1 = {}, a2 = {}, a3 = {}, cross[carried > 0 ? carried : 1] = {};
+    for (int j = 0; j <= k; ++j) {
+      const int m = k - j;
+      const Four w = omega.plain[j], w_yzx = omega.yzx[j], w_zxy = omega.zxy[j];
+      gyroscopic += w_yzx * omega.zxy[m];
+      a1 += attitude[m] * w[0];
+      a2 += attitude[m] * w[1];
+      a3 += attitude[m] * w[2];
+      for (int i = 0; i < carried; ++i) {
+        cross[i] += vectors[i].yzx[m] * w_zxy;
+        cross[i] -= vectors[i].zxy[m] * w_yzx;
+      }
+    }
+    Four torque = differences * gyroscopic;
+    if (k == 0) torque += four(start.torque);
+    for (int i = 0; i < body.fields; ++i) torque += times(body.maps[i], vectors[i].plain[k]);
+    if (body.gradient) {
+      Four product = {};
+      for (int j = 0; j <= k; ++j) product += vectors[radial].yzx[j] * vectors[radial].zxy[k - j];
+      torque -= (gradient * differences) * product;
+      cross[carried > 0 ? radial : 0] += body.orbit_rate * vectors[along].plain[k];
+      cross[carried > 1 ? along : 0] -= body.orbit_rate * vectors[radial].plain[k];
+    }
+    if (body.damped) torque -= times(body.damping, omega.plain[k]);
+    if (body.slug) {
+      const Four slip = omega.plain[k] - vectors[slug].plain[k];
+      torque -= body.slug_damping * slip;
+      cross[carried > 0 ? slug : 0] += body.slug_rate * slip;
+    }
+    const double next = 1.0 / (k + 1);
+    omega.set(k + 1, torque * next / moments);
+    for (int i = 0; i < carried; ++i) vectors[i].set(k + 1, cross[i] * next);
+    const Four turn = __builtin_shuffle(a1, Order{3, 2, 1, 0}) * Four{1, 1, -1, -1} +
+                      __builtin_shuffle(a2, Order{2, 3, 0, 1}) * Four{-1, 1, 1, -1} +
+                      __builtin_shuffle(a3, Order{1, 0, 3, 2}) * Four{1, -1, 1, -1};
+    attitude[k + 1] = turn * (0.5 * next);
+  }
+
+  double power = 1;
+  for (int k = 1; k < order; ++k) power *= h;  // h^(order−1)
+  const double before = absolute(power), last = absolute(power * h);
+  const double speed = larger(largest(omega.plain[0]), absolute(h) * largest(omega.plain[1]));
+  const double turned = larger(before * largest(attitude[order - 1]), last * largest(attitude[order]));
+  const double sped = larger(before * largest(omega.plain[order - 1]), last * largest(omega.plain[order]));
+  if (!(turned <= kMostTail) || !(sped <= kMostTail * speed)) return false;
+
+  const Four dq = sum(attitude, order, h), dw = sum(omega.plain, order, h);
+  for (int i = 0; i < 4; ++i) out.attitude[i] = dq[i];
+  for (int i = 0; i < 3; ++i) out.omega[i] = dw[i];
+  if (body.slug) {
+    const Four ds = sum(vectors[carried > 0 ? slug : 0].plain, order, h);
+    for (int i = 0; i < 3; ++i) out.slug_omega[i] = ds[i];
+  }
+  return true;
+}
+
+bool run(const Body& body, const Start& start, int order, double h, Increment& out) {
+  switch (body.fields + (body.gradient ? 2 : 0) + (body.slug ? 1 : 0)) {
+    case 0:
+      return step<0>(body, start, order, h, out);
+    case 1:
+      return step<1>(body, start, order, h, out);
+    case 2:
+      return step<2>(body, start, order, h, out);
+    case 3:
+      return step<3>(body, start, order, h, out);
+    case 4:
+      return step<4>(body, start, order, h, out);
+    case 5:
+      return step<5>(body, start, order, h, out);
+    case 6:
+      return step<6>(body, start, order, h, out);
+    default:
+      return step<7>(body, start, order, h, out);
+  }
+}
+
+}  // namespace POINSOT_TAYLOR_LEVEL
+}  // namespace poinsot::taylor

@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "poinsot/core/rotation.h"
+#include "poinsot/core/step_limits.h"
+
+namespace poinsot {
+namespace {
+
+using Grade = StepJudgement::Grade;
+
+constexpr int kSteps = 64;
+constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad
+constexpr int kMostHalvings = 40;
+
+std::string format(const char* text, double value) {
+  char out[128];
+  std::snprintf(out, sizeof out, text, value);
+  return out;
+}
+
+class Trial {
+ public:
+  Trial(const TorqueMethod& method, const Torques& torques, const TorquedState& start)
+      : stepper_(method.make(torques)), truth_(findTorqueMethod("taylor24")->make(torques)), start_(start) {}
+
+  StepJudgement at(double step) const {
+    TorquedState state = start_, truth = start_;
+    double worst = 0;
+    for (int n = 0; n < kSteps; ++n) {
+      try {
+        stepper_->advance(state, n * step, step);
+      } catch (const std::exception& error) {
+        return {Grade::hopeless, error.what(), 0};
+      }
+      truth_->advance(truth, n * step, step);
+      if (!truth.rotation.momentum_body.allFinite()) break;  // nobody can follow it there
+      const double angle = angleBetween(state.rotation.attitude, truth.rotation.attitude);
+      if (!state.rotation.momentum_body.allFinite() || !(angle <= kHopeless)) {
+        return {Grade::hopeless, format("the attitude goes wrong by more than 1 rad within %.0f steps", n + 1), 0};
+      }
+      worst = std::max(worst, angle);
+    }
+    if (worst <= kDoubtful) return {};
+    return {Grade::doubtful,
+            format("the attitude goes wrong by %.2g rad", worst) + format(" within %.0f steps", kSteps), 0};
+  }
+
+ private:
+  std::unique_ptr<TorqueStepper> stepper_, truth_;
+  TorquedState start_;
+};
+
+}  // namespace
+
+StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Eigen::Quaterniond& attitude,
+                              const Eigen::Vector3d& omega_body, double step) {
+  if (method.cuts_steps) return {};
+  TorquedState start;
+  start.rotation = RotationState::fromOmega(torques.moments(), attitude, omega_body);
+  if (torques.slug()) start.slug_omega = omega_body;
+  const Trial trial(method, torques, start);
+  StepJudgement judgement = trial.at(step);
+  for (int i = 0; judgement.grade != Grade::sound && judgement.largest_sound == 0 && i < kMostHalvings; ++i) {
+    step *= 0.5;
+    if (trial.at(step).grade == Grade::sound) judgement.largest_sound = step;
+  }
+  return judgement;
+}
+
+}  // namespace poinsot

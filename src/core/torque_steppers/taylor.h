@@ -1,0 +1,97 @@
+#pragma once
+
+#include "../taylor/kernel.h"
+#include "poinsot/core/compensated_sum.h"
+#include "poinsot/core/steppers/move_attitude.h"
+#include "poinsot/core/torque_stepper.h"
+
+namespace poinsot::torque_steppers {
+
+/**
+ * Taylor's method: q, Ω, σ and the world vectors that the torques depend on, seen from the body, as power series in the
+ * step, by recurrences (the right-hand sides are products of two at most); for example A. Jorba, M. Zou, Experimental
+ * Mathematics 14 (2005) 99–117. Of any order, conserves nothing exactly, and everything to its truncation error. Takes
+ * every torque.
+ *
+ * A step whose series does not converge well is taken in halves: a result is never nonsense, at worst inexact.
+ */
+template <int order>
+class Taylor final : public TorqueStepper {
+ public:
+  explicit Taylor(const Torques& given) : TorqueStepper(given), kernel_(taylor::bestStep()) {
+    for (int i = 0; i < 3; ++i) body_.moments[i] = torques().moments()[i];
+    if (torques().hasWorldConstant()) setMap(Eigen::Matrix3d::Identity());
+    for (const Torques::Field& field : torques().fields()) setMap(field.map);
+    body_.gradient = torques().gradient().has_value();
+    if (body_.gradient) body_.orbit_rate = torques().gradient()->rate;
+    body_.damped = torques().damping().has_value();
+    if (body_.damped) Eigen::Matrix3d::Map(body_.damping) = *torques().damping();
+    body_.slug = torques().slug().has_value();
+    if (body_.slug) {
+      body_.slug_damping = torques().slug()->damping;
+      body_.slug_rate = torques().slug()->damping / torques().slug()->inertia;
+    }
+  }
+
+ protected:
+  Work step(TorquedState& state, double t, double h, const Torques::Constant& constant) const override {
+    Work work;
+    stepOrHalves(state, t, h, constant, kMostHalvings, work);
+    return work;
+  }
+
+ private:
+  static constexpr int kMostHalvings = 16;
+
+  void setMap(const Eigen::Matrix3d& map) { Eigen::Matrix3d::Map(body_.maps[body_.fields++]) = map; }
+
+  void stepOrHalves(TorquedState& state, double t, double h, const Torques::Constant& constant, int halvings,
+                    Work& work) const {
+    taylor::Increment increment;
+    work += Work{order, 0};
+    if (kernel_(body_, start(state, t, constant), order, h, increment)) return add(increment, state);
+    if (halvings > 0) {
+      stepOrHalves(state, t, 0.5 * h, constant, halvings - 1, work);
+      if (state.rotation.momentum_body.allFinite()) {
+        stepOrHalves(state, t + 0.5 * h, 0.5 * h, constant, halvings - 1, work);
+      }
+      return;
+    }
+    // It moves faster than any step can follow, or is not finite: whoever looks at it is told so.
+    state.rotation.momentum_body.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  taylor::Start start(const TorquedState& state, double t, const Torques::Constant& constant) const {
+    taylor::Start out;
+    const Eigen::Quaterniond back = state.rotation.attitude.conjugate();
+    const auto set = [](double* to, const Eigen::Vector3d& v) { Eigen::Vector3d::Map(to) = v; };
+    Eigen::Vector4d::Map(out.attitude) = state.rotation.attitude.coeffs();
+    set(out.omega, state.rotation.omegaBody(torques().moments()));
+    set(out.torque, constant.body);
+    int i = 0;
+    if (torques().hasWorldConstant()) set(out.fields[i++], back * constant.world);
+    for (const Torques::Field& field : torques().fields()) set(out.fields[i++], back * field.world);
+    if (body_.gradient) {
+      set(out.radial, back * torques().gradient()->radialAt(t));
+      set(out.along, back * torques().gradient()->alongAt(t));
+    }
+    if (body_.slug) set(out.slug_omega, state.slug_omega);
+    return out;
+  }
+
+  void add(const taylor::Increment& increment, TorquedState& state) const {
+    RotationState& rotation = state.rotation;
+    Eigen::Vector4d q = rotation.attitude.coeffs();
+    steppers::moveAttitude(q, rotation.attitude_rest, Eigen::Map<const Eigen::Vector4d>(increment.attitude));
+    rotation.attitude.coeffs() = q;
+    const Eigen::Map<const Eigen::Vector3d> omega(increment.omega), slug(increment.slug_omega);
+    addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest,
+                                    torques().moments().cwiseProduct(omega));
+    if (body_.slug) addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest, slug);
+  }
+
+  taylor::Step kernel_;
+  taylor::Body body_ = {};
+};
+
+}  // namespace poinsot::torque_steppers

@@ -1,0 +1,213 @@
+#include "poinsot/cost/torque_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "poinsot/core/no_convergence.h"
+#include "poinsot/core/rotation.h"
+#include "poinsot/core/torque_stepper.h"
+
+namespace poinsot::cost {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kAim = 0.5;    // of the accuracy: what is looked for
+constexpr double kMost = 0.8;   // of the accuracy: what is taken, for times between the looks
+constexpr double kAgree = 0.1;  // of the accuracy: how far two references may differ
+constexpr double kSlow = 0.01;  // of the greatest |Omega|
+constexpr int kMostLooks = 512;
+constexpr double kMostSteps = 2e7;    // of one trial: some seconds
+constexpr int kMostTrials = 24;       // to one method
+constexpr double kNearEnough = 1.12;  // two steps with this ratio are not told apart
+constexpr double kMostCut = 1.02;     // steps taken to steps asked for: beyond it they are cut too often
+const char* const kReferences[2] = {"taylor24", "taylor20"};
+constexpr double kReferenceRatio = 0.77;  // of their steps: no common grid
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+struct Look {
+  Eigen::Quaterniond attitude;
+  Eigen::Vector3d omega;
+};
+
+class Search {
+ public:
+  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs)
+      : setup_(setup), wish_(wish), costs_(costs), torques_(sumOf(setup.inertia, setup.effects)) {
+    const double ticks = std::ceil(wish.horizon * wish.rate);
+    const int looks = static_cast<int>(std::clamp(ticks, 16.0, double{kMostLooks}));
+    for (int k = 1; k <= looks; ++k) times_.push_back(wish.horizon * k / looks);
+  }
+
+  Choice cheapest() {
+    findTruth();
+    if (!(agreement_ <= kAgree * wish_.accuracy)) {
+      throw Unreachable("two references differ by " + shown(agreement_) + " rad within " + shown(wish_.horizon) +
+                        " s, so that " + shown(wish_.accuracy) +
+                        " rad cannot be verified: rounding is in the way, or the motion is that sensitive");
+    }
+    for (const std::string& name : wish_.candidates) {
+      if (const TorqueMethod* method = findTorqueMethod(name)) tryMethod(*method);
+    }
+    if (best_.method.empty()) {
+      throw Unreachable("no method of " + std::to_string(wish_.candidates.size()) + " keeps to " +
+                        shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) +
+                        " s on this body: " + nearest_method_ + " comes nearest with about " + shown(nearest_error_));
+    }
+    return best_;
+  }
+
+  Choice mostExact() {
+    findTruth();
+    return {kReferences[0], truth_step_, agreement_, agreement_, costOf(kReferences[0], truth_step_)};
+  }
+
+ private:
+  double costOf(const std::string& method, double step) const {
+    return costs_.perSimulatedSecond(torqueCostName(method), step, wish_.rate);
+  }
+
+  /** Where the motion is at all looks; fewer of them where it was lost or cost too much. */
+  std::vector<Look> run(const std::string& method, double step, double* cut = nullptr) const {
+    std::vector<Look> out;
+    if (wish_.horizon / step > kMostSteps) return out;
+    MotionSetup setup = setup_;
+    setup.method = method;
+    setup.step = step;
+    Motion motion(setup);
+    try {
+      for (const double t : times_) {
+        const MotionState state = motion.at(t);
+        out.push_back({state.attitude, state.omega_body});
+      }
+    } catch (const std::runtime_error&) {  // range_error, NoConvergence
+    }
+    if (cut) {
+      const TorqueMethod& m = *findTorqueMethod(method);
+      const double steps = std::floor(wish_.horizon / step) + static_cast<double>(torques_.switches().size());
+      *cut = m.cuts_steps ? static_cast<double>(motion.work().evaluations) / (m.order * std::max(steps, 1.0)) : 1;
+    }
+    return out;
+  }
+
+  /** The greatest difference; infinite where one of them ends early. */
+  double difference(const std::vector<Look>& a, const std::vector<Look>& b) const {
+    if (a.size() != times_.size() || b.size() != times_.size()) return kInfinite;
+    double fastest = 0, worst = 0;
+    for (const Look& look : b) fastest = std::max(fastest, look.omega.norm());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      // At the horizon Ω is held to what it is there, however slow.
+      const double scale = k + 1 == a.size() ? b[k].omega.norm() : std::max(b[k].omega.norm(), kSlow * fastest);
+      const double off = (a[k].omega - b[k].omega).norm();
+      worst = std::max({worst, angleBetween(a[k].attitude, b[k].attitude), off > 0 ? off / scale : 0.0});
+    }
+    return worst;
+  }
+
+  /** A rate of the order of the fastest at the start [1/s]. */
+  double rateAtStart() const {
+    const Eigen::Vector3d omega = setup_.inertia.axes().conjugate() * setup_.omega_body;
+    const Eigen::Vector3d torque = torques_.at(0, torques_.constant(torques_.intervalAt(0)),
+                                               setup_.attitude.normalized() * setup_.inertia.axes(), omega, omega);
+    double rate = omega.norm() + std::sqrt(torque.cwiseQuotient(torques_.moments()).norm());
+    if (torques_.gradient()) rate += torques_.gradient()->rate;
+    if (torques_.damping()) rate += torques_.damping()->norm() / torques_.moments().minCoeff();
+    if (torques_.slug()) {
+      rate += torques_.slug()->damping * (1 / torques_.slug()->inertia + 1 / torques_.moments().minCoeff());
+    }
+    return rate;
+  }
+
+  void findTruth() {
+    const double rate = rateAtStart();
+    double step = rate > 0 ? std::min(wish_.horizon, 1 / rate) : wish_.horizon;
+    agreement_ = kInfinite;
+    int without_progress = 0;
+    for (int i = 0; i < kMostTrials && without_progress < 3; ++i, step *= 0.5) {
+      std::vector<Look> one = run(kReferences[0], step), other = run(kReferences[1], kReferenceRatio * step);
+      const double off = difference(one, other);
+      if (truth_.empty() || off < agreement_) {
+        without_progress = off < 0.5 * agreement_ ? 0 : without_progress + 1;
+        agreement_ = off;
+        truth_ = std::move(one);
+        truth_step_ = step;
+      } else {
+        ++without_progress;
+      }
+      if (agreement_ <= kAgree * wish_.accuracy) return;
+    }
+  }
+
+  /** The longest step that keeps the accuracy and costs less than the best so far. */
+  void tryMethod(const TorqueMethod& method) {
+    const std::string name = method.name;
+    double good = 0, good_error = 0, bad = kInfinite, last_error = kInfinite;
+    double step = std::min(wish_.horizon, 4 * truth_step_);
+    int without_progress = 0;
+    for (int i = 0; i < kMostTrials; ++i) {
+      if (!best_.method.empty() && costOf(name, step) >= best_.cost) break;
+      double cut = 1;
+      const double error = difference(run(name, step, &cut), truth_) + agreement_;
+      if (error < nearest_error_) {
+        nearest_error_ = error;
+        nearest_method_ = name;
+      }
+      const double factor =
+          std::pow(kAim * wish_.accuracy / std::max(error, 1e-3 * kAim * wish_.accuracy), 1.0 / method.order);
+      double next;
+      if (error <= kMost * wish_.accuracy && cut <= kMostCut) {
+        good = step;
+        good_error = error;
+        if (step >= wish_.horizon) break;
+        next = std::min(wish_.horizon, step * std::clamp(factor, 1.2, 4.0));
+        if (bad < kInfinite) next = std::min(next, std::sqrt(good * bad));
+        if (next < kNearEnough * good) break;
+      } else {
+        bad = std::min(bad, step);
+        if (good > 0) {
+          if (bad < kNearEnough * good) break;
+          next = std::sqrt(good * bad);
+        } else {
+          without_progress = error < 0.9 * last_error || !(error < 0.3) ? 0 : without_progress + 1;
+          if (without_progress == 4) break;
+          next = error < 0.3 ? step * std::clamp(factor, 1e-2, 0.8) : 0.4 * step;
+          last_error = error;
+          if (wish_.horizon / next > kMostSteps) break;
+        }
+      }
+      step = next;
+    }
+    if (good == 0) return;
+    const double cost = costOf(name, good);
+    if (best_.method.empty() || cost < best_.cost) best_ = {name, good, good_error, good_error, cost};
+  }
+
+  MotionSetup setup_;
+  Wish wish_;
+  const MethodCosts& costs_;
+  Torques torques_;
+  std::vector<double> times_;
+  std::vector<Look> truth_;
+  double truth_step_ = 0, agreement_ = kInfinite;
+  Choice best_;
+  std::string nearest_method_;
+  double nearest_error_ = kInfinite;
+};
+
+}  // namespace
+
+Choice chooseUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+  return Search(setup, wish, costs).cheapest();
+}
+
+Choice mostExactUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+  return Search(setup, wish, costs).mostExact();
+}
+
+}  // namespace poinsot::cost
