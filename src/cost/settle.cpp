@@ -1,7 +1,7 @@
 #include "poinsot/cost/settle.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <optional>
 
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/torque_choice.h"
@@ -45,16 +45,20 @@ Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCos
 }  // namespace
 
 std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
+  const auto wishes = [](const scene::Body& body) { return body.accuracy.has_value(); };
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), wishes)) return {};
+  return settleMethods(scene, rate, costsOfThisMachine());
+}
+
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const MethodCosts& costs) {
   std::vector<std::string> out;
-  std::optional<MethodCosts> costs;
   for (scene::Body& body : scene.bodies) {
     if (!body.accuracy) continue;
-    if (!costs) costs = costsOfThisMachine();
     const scene::Accuracy& wish = *body.accuracy;
     const MotionSetup setup = scene::motionSetup(body);
     const Wish asked{wish.error, wish.horizon, rate, wish.candidates};
     try {
-      const Choice choice = wish.by_default ? asWellAsCanBe(setup, asked, *costs) : choose(setup, asked, *costs);
+      const Choice choice = wish.by_default ? asWellAsCanBe(setup, asked, costs) : choose(setup, asked, costs);
       body.method = choice.method;
       body.step = choice.step;
       out.push_back(sentence(body, choice));

@@ -94,7 +94,7 @@ void readAngularVelocity(const Fields& fields, Body& body) {
 
 }  // namespace
 
-Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
+Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std::string>& warnings) {
   const Fields fields(withName(unnamed), kAllowedBody);
   checkKeys(fields);
 
@@ -105,7 +105,7 @@ Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
   movePivot(fields, body);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
   readAngularVelocity(fields, body);
-  readMethod(fields, body, warnings);
+  readMethod(fields, options, body, warnings);
   return body;
 }
 
