@@ -129,11 +129,12 @@ void readTorqueSchedule(const Fields& fields, Body& body) {
       segment.find("to")->refuse(shownNumber(read.to) + " s is not after from, " + shownNumber(read.from) + " s",
                                  "a time after from");
     }
-    if (!out.segments.empty() && read.from < out.segments.back().to) {
+    for (const TorqueSchedule::Segment& other : out.segments) {
+      if (read.from >= other.to || read.to <= other.from) continue;
       segment.find("from")->refuse(
-          shownNumber(read.from) + " s is before the segment ahead of it ends, at " +
-              shownNumber(out.segments.back().to) + " s",
-          "segments in the order of time that do not overlap; a second torque_schedule for torques at the same time");
+          "from " + shownNumber(read.from) + " to " + shownNumber(read.to) + " s overlaps another segment, from " +
+              shownNumber(other.from) + " to " + shownNumber(other.to) + " s",
+          "segments that do not overlap; a second torque_schedule for torques at the same time");
     }
     out.segments.push_back(read);
   }

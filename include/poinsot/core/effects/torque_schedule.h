@@ -14,7 +14,7 @@ struct TorqueSchedule {
   static constexpr const char* kName = "torque_schedule";
 
   struct Segment {
-    double from, to;  ///< from ≤ t < to [s], from < to; segments ascend and do not overlap
+    double from, to;  ///< from ≤ t < to [s], from < to; segments do not overlap
     Axes axes;
     Eigen::Vector3d torque;  ///< [N·m]
   };
