@@ -7,6 +7,11 @@ namespace POINSOT_TAYLOR_LEVEL {
 using Four = double __attribute__((vector_size(32)));
 using Order = long long __attribute__((vector_size(32)));
 
+// 1, 1/2, 1/3, …
+constexpr double kInverse[kMostOrder] = {1,        1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,
+                                         1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12,
+                                         1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18,
+                                         1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24};
 constexpr double kMostTail = 1e-2;  // of the state, for the last two terms
 
 inline Four four(const double* v) {
@@ -76,11 +81,12 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
   const Four moments = Four{body.moments[0], body.moments[1], body.moments[2], 1};
   // Λ×Ω = (μⱼ − μₖ)ΩⱼΩₖ, and so u×Mu with the opposite sign.
   const Four differences = yzx(moments) - zxy(moments);
+  const Four inverse_moments = Four{1, 1, 1, 1} / moments;
   const double gradient = 3 * body.orbit_rate * body.orbit_rate;
 
   for (int k = 0; k < order; ++k) {
     Four gyroscopic = {}, a1 = {}, a2 = {}, a3 = {}, cross[carried > 0 ? carried : 1] = {};
-    for (int j = 0; j <= k; ++j) {
+    const auto add = [&](int j) {
       const int m = k - j;
       const Four w = omega.plain[j], w_yzx = omega.yzx[j], w_zxy = omega.zxy[j];
       gyroscopic += w_yzx * omega.zxy[m];
@@ -91,7 +97,11 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
         cross[i] += vectors[i].yzx[m] * w_zxy;
         cross[i] -= vectors[i].zxy[m] * w_yzx;
       }
-    }
+    };
+    // What needs the newest coefficients last: the rest goes on while these are still being made.
+    for (int j = 1; j < k; ++j) add(j);
+    if (k > 0) add(k);
+    add(0);
     Four torque = differences * gyroscopic;
     if (k == 0) torque += four(start.torque);
     for (int i = 0; i < body.fields; ++i) torque += times(body.maps[i], vectors[i].plain[k]);
@@ -108,8 +118,9 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
       torque -= body.slug_damping * slip;
       cross[carried > 0 ? slug : 0] += body.slug_rate * slip;
     }
-    const double next = 1.0 / (k + 1);
-    omega.set(k + 1, torque * next / moments);
+    const double next = kInverse[k];
+    // Rounded inverses would be the moments of a slightly different body; in the higher terms that does not show.
+    omega.set(k + 1, k < 2 ? torque * next / moments : torque * next * inverse_moments);
     for (int i = 0; i < carried; ++i) vectors[i].set(k + 1, cross[i] * next);
     const Four turn = __builtin_shuffle(a1, Order{3, 2, 1, 0}) * Four{1, 1, -1, -1} +
                       __builtin_shuffle(a2, Order{2, 3, 0, 1}) * Four{-1, 1, 1, -1} +
