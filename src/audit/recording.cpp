@@ -77,7 +77,8 @@ State read(const poinsot::BodyState& message) {
   // Drifts are relative: for a body that started at rest, infinite is the honest figure. Not so NaN.
   if (std::isnan(s.energy_drift)) find.number(s.energy_drift, "energy_drift");
   if (std::isnan(s.momentum_drift)) find.number(s.momentum_drift, "momentum_drift");
-  find.number(message.cost, "cost");
+  // NaN: not measured, in a recording that nobody played.
+  if (!std::isnan(message.cost)) find.number(message.cost, "cost");
   return s;
 }
 

@@ -1,7 +1,7 @@
 #include "poinsot/cost/settle.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <optional>
 
 #include "poinsot/cost/choice.h"
 #include "poinsot/scene/motion_setup.h"
@@ -30,14 +30,18 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
 }  // namespace
 
 std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
+  const auto wishes = [](const scene::Body& body) { return body.accuracy.has_value(); };
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), wishes)) return {};
+  return settleMethods(scene, rate, costsOfThisMachine());
+}
+
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const MethodCosts& costs) {
   std::vector<std::string> out;
-  std::optional<MethodCosts> costs;
   for (scene::Body& body : scene.bodies) {
     if (!body.accuracy) continue;
-    if (!costs) costs = costsOfThisMachine();
     const scene::Accuracy& wish = *body.accuracy;
     try {
-      const Choice choice = choose(scene::motionSetup(body), {wish.error, wish.horizon, rate, wish.candidates}, *costs);
+      const Choice choice = choose(scene::motionSetup(body), {wish.error, wish.horizon, rate, wish.candidates}, costs);
       body.method = choice.method;
       body.step = choice.step;
       out.push_back(sentence(body, choice));

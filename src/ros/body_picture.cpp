@@ -1,6 +1,7 @@
 #include "poinsot/ros/body_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "poinsot/ros/conversions.h"
@@ -100,6 +101,17 @@ view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_s
 }
 
 }  // namespace
+
+MarkerArray clearedMarkers() {
+  MarkerArray out;
+  Marker clear;
+  clear.action = Marker::DELETEALL;
+  // With a frame RViz takes it in turn with the markers; one without counts as failed and is handled out of turn.
+  clear.header.frame_id = names::kWorld;
+  clear.pose.orientation.w = 1;
+  out.markers.push_back(clear);
+  return out;
+}
 
 BodyPicture::BodyPicture(const scene::Body& body, Motion motion, const names::Frames& frames)
     : name_(body.name),
@@ -230,7 +242,7 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   figures_shown_ = tick.stamp;
   const std::string words = method_ + shown("\nattitude error %.1e rad", figures.attitude_error) +
                             shown("\nenergy drift %+.1e", figures.energy_drift) +
-                            shown("\ncost %.3g us per s", 1e6 * figures.cost);
+                            (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost));
   const double down = std::max(kTitleDepth, shape_.boundingRadius() + 0.3) + kFiguresDepth;
   Marker label = text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
   label.header.stamp = tick.stamp;

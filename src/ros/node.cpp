@@ -14,7 +14,6 @@
 namespace poinsot::node {
 namespace {
 
-using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
 constexpr int kMarkerQueue = 100;
@@ -31,18 +30,6 @@ constexpr double kCoarseShare = 0.1;          // of a tick: where doubles lie fu
 Pacer::Mode pacing(bool publish_clock) {
   if (publish_clock) return Pacer::Mode::own_clock;
   return ros::Time::isSimTime() ? Pacer::Mode::foreign_clock : Pacer::Mode::wall;
-}
-
-/** Begins an array that may meet markers of an earlier scene in a viewer. */
-MarkerArray cleared() {
-  MarkerArray out;
-  Marker clear;
-  clear.action = Marker::DELETEALL;
-  // With a frame RViz takes it in turn with the markers; one without counts as failed and is handled out of turn.
-  clear.header.frame_id = names::kWorld;
-  clear.pose.orientation.w = 1;
-  out.markers.push_back(clear);
-  return out;
 }
 
 std::string shown(double value) {
@@ -194,7 +181,7 @@ void Node::publishStatic() {
 }
 
 MarkerArray Node::staticMarkers() const {
-  MarkerArray markers = cleared();
+  MarkerArray markers = clearedMarkers();
   for (const auto& body : bodies_) body->picture().appendStatic(markers);
   return markers;
 }
@@ -210,7 +197,7 @@ void Node::resendStaticMarkers() {
 void Node::publishMarkers(const Tick& tick) {
   const bool watched = markers_publisher_.getNumSubscribers() > 0;
   if (watched) {
-    MarkerArray markers = markers_watched_ ? MarkerArray() : cleared();
+    MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
     for (const auto& body : bodies_) {
       body->picture().appendMoving(tick, body->state(), markers);
       if (some_body_steps_) body->picture().appendFigures(tick, body->figures(), markers);

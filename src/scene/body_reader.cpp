@@ -68,7 +68,7 @@ void readAngularVelocity(const Fields& fields, Body& body) {
 
 }  // namespace
 
-Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
+Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std::string>& warnings) {
   const Fields fields(withName(unnamed), kAllowedBody);
   checkKeys(fields);
 
@@ -77,7 +77,7 @@ Body readBody(const Place& unnamed, std::vector<std::string>& warnings) {
   readInertiaOrShape(fields, body, warnings);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
   readAngularVelocity(fields, body);
-  readMethod(fields, body, warnings);
+  readMethod(fields, options, body, warnings);
   if (const auto effects = fields.find("effects")) readEffects(*effects, body);
   return body;
 }

@@ -1,5 +1,6 @@
 #include "method_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "number.h"
@@ -20,17 +21,24 @@ std::vector<std::string> namesOfMethods() {
   return names;
 }
 
+/** The scene's, the program's, or the longer of both. */
+double readHorizon(const Fields& fields, const ReadOptions& options) {
+  const auto given = fields.find("horizon");
+  if (!given && options.horizon) return *options.horizon;
+  const Place place =
+      fields.require("horizon", "how long the accuracy must hold, " + allowedNumber(quantity::kDuration));
+  return std::max(readNumber(place, quantity::kDuration), options.horizon.value_or(0));
+}
+
 /** @param method empty where the scene names none. */
-Accuracy readAccuracy(const Place& place, const Fields& fields, const std::string& method) {
+Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOptions& options, const std::string& method) {
   Accuracy out;
   out.error = readNumber(place, quantity::kAngleError);
   if (!(out.error <= kLargestAccuracy)) {
     place.refuse(shownNumber(out.error) + " is more than a wrong attitude can be told from a right one",
                  "a positive number up to " + shownNumber(kLargestAccuracy) + " (rad)");
   }
-  out.horizon =
-      readNumber(fields.require("horizon", "how long the accuracy must hold, " + allowedNumber(quantity::kDuration)),
-                 quantity::kDuration);
+  out.horizon = readHorizon(fields, options);
   if (!method.empty() && method != kAnyStepper) {
     out.candidates = {method};
   } else {
@@ -65,7 +73,7 @@ void judge(const Place& place, const Body& body, std::vector<std::string>& warni
 
 }  // namespace
 
-void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warnings) {
+void readMethod(const Fields& fields, const ReadOptions& options, Body& body, std::vector<std::string>& warnings) {
   const auto method = fields.find("method");
   const auto step = fields.find("step");
   const auto accuracy = fields.find("accuracy");
@@ -75,7 +83,7 @@ void readMethod(const Fields& fields, Body& body, std::vector<std::string>& warn
   }
   if (method) body.method = readChoice(*method, namesOfMethods(), {});
   if (accuracy) {
-    body.accuracy = readAccuracy(*accuracy, fields, method ? body.method : std::string());
+    body.accuracy = readAccuracy(*accuracy, fields, options, method ? body.method : std::string());
     if (step) {
       step->refuse("the key accuracy stands beside it, from which the step follows", "accuracy or step, not both");
     }

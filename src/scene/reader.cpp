@@ -1,5 +1,6 @@
 #include "poinsot/scene/reader.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -38,23 +39,24 @@ class Frames {
 
 /** Not wrong, but seldom meant: they are drawn into each other. */
 void warnOfBodiesInOnePlace(const Place& bodies, Scene& scene) {
-  const auto placeOf = [](const Body& body) {
-    return body.translation ? body.translation->position : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const auto placeOf = [](const Body& body) -> std::array<double, 3> {
+    if (!body.translation) return {0, 0, 0};
+    const Eigen::Vector3d& p = body.translation->position;
+    return {p.x(), p.y(), p.z()};
   };
-  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (placeOf(scene.bodies[i]) != placeOf(scene.bodies[j])) continue;
-      scene.warnings.push_back(
-          bodies.item(i)
-              .called(scene.bodies[i].name)
-              .message("starts where " + scene.bodies[j].name +
-                       " does and is drawn into it; an effect of type translation with a position sets them apart"));
-      break;
-    }
+  std::map<std::array<double, 3>, std::string> first_there;  // its name
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto [first, is_free] = first_there.emplace(placeOf(scene.bodies[i]), scene.bodies[i].name);
+    if (is_free) continue;
+    scene.warnings.push_back(
+        bodies.item(i)
+            .called(scene.bodies[i].name)
+            .message("starts where " + first->second +
+                     " does and is drawn into it; an effect of type translation with a position sets them apart"));
   }
 }
 
-Scene readScene(const Place& top) {
+Scene readScene(const Place& top, const ReadOptions& options) {
   const Fields fields(top, "a map with the keys rate, bodies");
   fields.allowOnly({"rate", "bodies"});
 
@@ -68,7 +70,7 @@ Scene readScene(const Place& top) {
   Frames frames;
   for (std::size_t i = 0; i < bodies.node().size(); ++i) {
     const Place place = bodies.item(i);
-    scene.bodies.push_back(readBody(place, scene.warnings));
+    scene.bodies.push_back(readBody(place, options, scene.warnings));
     const std::string& name = scene.bodies.back().name;
     frames.claim(name, place.called(name).under(YAML::Node("name"), place.node()["name"]));
   }
@@ -119,15 +121,15 @@ YAML::Node parsed(const std::string& text, const std::string& source) {
 
 }  // namespace
 
-Scene readFile(const std::string& path) {
+Scene readFile(const std::string& path, const ReadOptions& options) {
   const std::string text = contentsOf(path);
   refuseControlCharacters(text, path);
-  return readTree(parsed(text, path), path);
+  return readTree(parsed(text, path), path, options);
 }
 
-Scene readTree(const YAML::Node& tree, const std::string& source) {
+Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options) {
   if (!tree.IsDefined()) throw Error(source + ": nothing is there; allowed: a map with the keys rate, bodies");
-  return readScene(Place(tree, source));
+  return readScene(Place(tree, source), options);
 }
 
 }  // namespace poinsot::scene

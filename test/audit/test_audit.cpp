@@ -127,6 +127,14 @@ TEST(Correct, TwoNodesWithPrefixes) {
   expectPass(bare.report());
 }
 
+TEST(Correct, CostsThatAreNotMeasured) {
+  Stream stream = asymmetric();
+  for (BodyState& state : stream.states) state.cost = std::nan("");
+  expectPass(stream.judged());
+  stream.states[7].cost = HUGE_VAL;
+  expectFailures(stream.judged(), {"finite numbers"}, "state: cost is not finite");
+}
+
 /** Every command takes effect at a message: rates change there, a pause holds, a step runs for 1/60 s. */
 TEST(Correct, SpeedPauseStepBackwards) {
   std::vector<Tick> ticks = steadily(200);

@@ -12,6 +12,9 @@
 #include "poinsot/core/motion.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/cost/method_costs.h"
+#include "poinsot/cost/nominal_costs.h"
+#include "poinsot/cost/settle.h"
+#include "poinsot/scene/reader.h"
 
 using namespace poinsot;
 namespace fs = std::filesystem;
@@ -114,6 +117,32 @@ TEST(CostFilePlace, isTheEnvironmentsChoice) {
   unsetenv("ROS_HOME");
   setenv("HOME", "/home/x", 1);
   EXPECT_EQ(cost::defaultCostFile(), "/home/x/.ros/poinsot/costs.yaml");
+}
+
+TEST(NominalCosts, everyMethodHasOne) {
+  const cost::MethodCosts& costs = cost::nominalCosts();
+  EXPECT_EQ(costs.all().size(), methods().size() + 1);
+  EXPECT_EQ(costs.of(kClosedForm).per_step, 0);
+  for (const Method& method : methods()) {
+    EXPECT_GT(costs.of(method.name).per_step, 0) << method.name;
+    EXPECT_GT(costs.of(method.name).per_state, 0) << method.name;
+  }
+}
+
+TEST(NominalCosts, nothingIsMeasuredWhereTheyAreGiven) {
+  setenv("POINSOT_COSTS", "/tmp/poinsot_no_such_costs.yaml", 1);
+  std::vector<std::string> sentences[2];
+  for (auto& out : sentences) {
+    scene::Scene scene = scene::readTree(
+        YAML::Load("bodies: [{name: top, inertia: [1, 2, 3], angular_velocity: [0.3, 1, 0.2], method: stepper, "
+                   "accuracy: 1e-7, horizon: 20}]"),
+        "scene");
+    out = cost::settleMethods(scene, 60, cost::nominalCosts());
+    EXPECT_TRUE(scene.bodies[0].step);
+  }
+  EXPECT_EQ(sentences[0], sentences[1]);
+  EXPECT_FALSE(fs::exists("/tmp/poinsot_no_such_costs.yaml"));
+  unsetenv("POINSOT_COSTS");
 }
 
 }  // namespace

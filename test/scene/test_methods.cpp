@@ -147,6 +147,18 @@ TEST(Accuracy, NeedsAHorizonAndExcludesAStep) {
   expectKeyRefused("method: stepper", ".method", {"the key accuracy is missing", "allowed: accuracy and horizon"});
 }
 
+TEST(Accuracy, HoldsAtLeastAsLongAsTheProgramLooks) {
+  const auto horizon = [](const std::vector<std::string>& lines) {
+    const scene_text::TemporaryFile file(body(lines));
+    return poinsot::scene::readFile(file.path(), {30.0}).bodies.at(0).accuracy.value().horizon;
+  };
+  EXPECT_EQ(horizon({"accuracy: 1e-6"}), 30);
+  EXPECT_EQ(horizon({"accuracy: 1e-6", "horizon: 5"}), 30);
+  EXPECT_EQ(horizon({"accuracy: 1e-6", "horizon: 600"}), 600);
+  EXPECT_THROW(horizon({"accuracy: 1e-6", "horizon: 0"}), poinsot::scene::Error);
+  EXPECT_THROW(horizon({"horizon: 600"}), poinsot::scene::Error);
+}
+
 TEST(Accuracy, IsAPositiveAngle) {
   for (const char* bad : {"0", "-1e-6", ".nan", "fine"}) {
     expectRefused(body({"horizon: 600", "accuracy: " + std::string(bad)}), scene_text::kFirstLine + 1,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/cost/method_costs.h"
 #include "poinsot/scene/scene.h"
 
 namespace poinsot::cost {
@@ -14,5 +15,8 @@ namespace poinsot::cost {
  * Throws scene::Error, with the place of the accuracy, where it is out of reach.
  */
 std::vector<std::string> settleMethods(scene::Scene& scene, double rate);
+
+/** The same by given costs: with nominalCosts() a scene is settled alike everywhere and every time. */
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const MethodCosts& costs);
 
 }  // namespace poinsot::cost

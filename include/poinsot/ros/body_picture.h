@@ -16,6 +16,9 @@
 
 namespace poinsot::node {
 
+/** Begins an array that may meet markers of an earlier scene in a viewer. */
+visualization_msgs::MarkerArray clearedMarkers();
+
 /** One body's markers: the body itself and the two pictures of Poinsot's construction. */
 class BodyPicture {
  public:
@@ -32,7 +35,7 @@ class BodyPicture {
   struct Figures {
     double attitude_error;  ///< [rad]
     double energy_drift;    ///< relative
-    double cost;            ///< CPU s per simulated s
+    double cost;            ///< CPU s per simulated s; NaN: not measured, and not shown
   };
 
   /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */

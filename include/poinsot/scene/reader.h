@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -19,14 +20,21 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/** What a program knows that the scene need not say. */
+struct ReadOptions {
+  /** For how long the program will look at the motion [s]: every accuracy holds at least so long, and need not say it.
+   */
+  std::optional<double> horizon;
+};
+
 /** Reads and validates a scene file, doc/scene_file.md. Throws Error. */
-Scene readFile(const std::string& path);
+Scene readFile(const std::string& path, const ReadOptions& options = {});
 
 /**
  * Reads and validates a tree that came from elsewhere, such as a parameter server. A number may be any scalar whose
  * text is one, so that trees whose reader took `1e-9` for a string give the scene that the file gives. Throws Error.
  * @param source stands for the file name in messages.
  */
-Scene readTree(const YAML::Node& tree, const std::string& source);
+Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options = {});
 
 }  // namespace poinsot::scene

@@ -1,0 +1,114 @@
+#include "poinsot/ros/scene_bag.h"
+
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace poinsot::node {
+namespace {
+
+using visualization_msgs::MarkerArray;
+
+constexpr std::uint64_t kFirstStamp = 1000000000;  // ns: not zero, which ROS reads as "no time yet"
+const ros::Duration kRepeatAfter(2);
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+ros::Time stampAt(double t) {
+  ros::Time stamp;
+  return stamp.fromNSec(kFirstStamp + static_cast<std::uint64_t>(std::llround(1e9 * t)));
+}
+
+std::string absolute(const std::string& topic) {
+  return "/" + topic;
+}
+
+}  // namespace
+
+SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Options& options)
+    : bag_(std::make_unique<rosbag::Bag>(file, rosbag::bagmode::Write)), markers_(options.markers) {
+  for (const scene::Body& body : scene.bodies) {
+    const auto topic = [&body](const char* name) { return absolute(names::topic(body.name, name)); };
+    entries_.push_back({std::make_unique<MovingBody>(body, "", markers_), topic(names::kState), topic(names::kOdometry),
+                        topic(names::kDescription)});
+    some_body_steps_ = some_body_steps_ || !entries_.back().body->motion().inClosedForm();
+  }
+}
+
+// A bag that meets a full disk cannot be destroyed: its destructor would write once more, and throw.
+SceneBag::~SceneBag() {
+  if (bag_ && bag_->isOpen()) static_cast<void>(bag_.release());
+}
+
+template <class Message>
+void SceneBag::put(const std::string& topic, const Message& message) {
+  bag_->write(topic, *stamp_, message);
+}
+
+/** As rosbag records it, so that rosbag plays it latched. */
+template <class Message>
+void SceneBag::putLatched(const std::string& topic, const Message& message) {
+  const auto header = boost::make_shared<ros::M_string>();
+  (*header)["type"] = ros::message_traits::datatype(message);
+  (*header)["md5sum"] = ros::message_traits::md5sum(message);
+  (*header)["message_definition"] = ros::message_traits::definition(message);
+  (*header)["latching"] = "1";
+  bag_->write(topic, *stamp_, message, header);
+}
+
+void SceneBag::write(double t) {
+  const ros::Time stamp = stampAt(t);
+  if (stamp_ && stamp <= *stamp_) return;
+  const bool first = !stamp_;
+  stamp_ = stamp;
+  if (first) writeStatic();
+  if (!static_markers_repeated_ && stamp >= stampAt(0) + kRepeatAfter) writeStaticMarkers();
+  writeMoving({stamp, t, 1, 0});
+}
+
+void SceneBag::writeStatic() {
+  tf2_msgs::TFMessage transforms;
+  for (const Entry& entry : entries_) {
+    entry.body->appendStaticTransforms(*stamp_, transforms.transforms);
+    putLatched(entry.description, entry.body->description());
+  }
+  putLatched("/tf_static", transforms);
+  writeStaticMarkers();
+  static_markers_repeated_ = false;
+}
+
+// Written twice, for what RViz needs of the node too: see Node::resendStaticMarkers.
+void SceneBag::writeStaticMarkers() {
+  static_markers_repeated_ = true;
+  if (!markers_) return;
+  MarkerArray markers = clearedMarkers();
+  for (const Entry& entry : entries_) entry.body->picture().appendStatic(markers);
+  putLatched(absolute(names::kMarkersStatic), markers);
+}
+
+void SceneBag::writeMoving(const Tick& tick) {
+  transforms_.transforms.clear();
+  for (const Entry& entry : entries_) {
+    entry.body->move(tick);
+    entry.body->appendTransforms(tick.stamp, transforms_.transforms);
+    put(entry.state, entry.body->stateMessage(tick, kNotMeasured));
+    put(entry.odometry, entry.body->odometryMessage(tick));
+  }
+  put("/tf", transforms_);
+  if (!markers_) return;
+  MarkerArray markers;
+  for (const Entry& entry : entries_) {
+    MovingBody& body = *entry.body;
+    body.picture().appendMoving(tick, body.state(), markers);
+    if (!some_body_steps_) continue;
+    body.picture().appendFigures(tick, {body.attitudeError(), body.energyDrift(), kNotMeasured}, markers);
+  }
+  if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);
+}
+
+void SceneBag::close() {
+  if (stamp_ && !static_markers_repeated_) writeStaticMarkers();
+  bag_->close();
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+namespace poinsot::tools {
+
+/** A bar on stderr, where that is a terminal; nothing anywhere else. */
+class Progress {
+ public:
+  explicit Progress(std::int64_t total);
+  ~Progress();
+
+  void add(std::int64_t done);
+
+ private:
+  struct Bar;
+  std::unique_ptr<Bar> bar_;
+};
+
+}  // namespace poinsot::tools

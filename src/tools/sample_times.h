@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace poinsot::tools {
+
+/** 0, 1/rate, 2/rate, … and last exactly `duration`, which takes the place of a sample that only rounding parts from
+ * it. */
+class SampleTimes {
+ public:
+  /** @param duration [s] and @param rate [Hz], positive and finite. */
+  SampleTimes(double duration, double rate)
+      : duration_(duration), rate_(rate), intervals_(std::max(1.0, std::ceil(duration * rate - closeness()))) {}
+
+  /** As a double: it may be more than any integer type holds. */
+  double count() const { return intervals_ + 1; }
+
+  /** @param k 0 ≤ k < count(). */
+  double at(std::int64_t k) const {
+    return static_cast<double>(k) < intervals_ ? static_cast<double>(k) / rate_ : duration_;
+  }
+
+ private:
+  /** In periods. */
+  double closeness() const { return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * duration_ * rate_; }
+
+  double duration_, rate_, intervals_;
+};
+
+}  // namespace poinsot::tools
