@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -34,6 +35,7 @@ constexpr int kFailed = 1, kBadUse = 2;
 constexpr double kMostRows = 1e12;   // of all bodies together: a disk of 200 TB
 constexpr double kMostSteps = 1e12;  // of one body: hours
 constexpr double kFastestBag = 1e6;  // Hz: stamps are whole nanoseconds
+constexpr std::size_t kMostSaid = 20;
 const char* const kStandardOutput = "-";
 
 const char* const kAbout =
@@ -135,6 +137,13 @@ void writeBag(const OutputFile& file, const scene::Scene& scene, const tools::Sa
   }
 }
 
+/** On stderr; of a scene of thousands not everything. */
+void say(const std::vector<std::string>& sentences) {
+  const std::size_t count = std::min(sentences.size(), kMostSaid);
+  for (std::size_t i = 0; i < count; ++i) std::cerr << sentences[i] << "\n";
+  if (count < sentences.size()) std::cerr << "and " << sentences.size() - count << " more of this kind\n";
+}
+
 void run(const Options& options) {
   checkFiles(options);
   const double duration = readPositive("--duration", options.duration, "s");
@@ -142,11 +151,11 @@ void run(const Options& options) {
       options.rate.empty() ? std::nullopt : std::optional<double>(readPositive("--rate", options.rate, "Hz"));
 
   scene::Scene scene = scene::readFile(options.scene, {duration});
-  for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
+  say(scene.warnings);
   const double rate = given_rate.value_or(scene.rate.value_or(scene::kDefaultRate));
   const tools::SampleTimes times(duration, rate);
   checkSize(options, scene, duration, rate, times);
-  for (const std::string& choice : cost::settleMethods(scene, rate, cost::nominalCosts())) std::cerr << choice << "\n";
+  say(cost::settleMethods(scene, rate, cost::nominalCosts()));
   checkSize(options, scene, duration, rate, times);
 
   const bool to_stdout = options.csv == kStandardOutput;
