@@ -1,18 +1,23 @@
 #!/usr/bin/env python3
-"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin."""
+"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin; and rviz/crowd.rviz,
+which is rviz/demo.rviz from further away and without the pictures beside the bodies."""
 import math
 import os
 
 ROWS, COLUMNS = 10, 10
-WIDTH, HEIGHT = 7.0, 3.2  # of a cell: the body and its two pictures [m]
+WIDTH, HEIGHT = 2.8, 1.6  # of a cell [m]
 RATE = 3.0  # |Omega| [rad/s]
+
+HIDDEN = """label trail space/energy_ellipsoid space/momentum_ellipsoid space/polhode space/separatrix space/omega
+space/angular_momentum model/energy_ellipsoid model/momentum_ellipsoid model/polhode model/separatrix model/omega""".split()
 
 HEAD = """\
 # A hundred bodies. Every row has another box, from a stick (top) to a plate (bottom). From left to right they are spun ever
-# further from the axis of smallest moment, towards that of largest. Look at the polhodes: on the left they go round the
-# first, on the right round the second, and the border between them, where bodies turn over slowest, moves from row to row.
-# Each box turns at 3 rad/s at the start; Omega lies 5, 13.9, 22.8 ... 85 degrees from x, towards z.
-# Numbers: ours; written by scripts/make_hundred.py.
+# further from the axis of smallest moment, towards that of largest. On the left they go on as they were spun, like a thrown
+# spear, and on the right, like a discus; in between they turn over and over: Omega goes round the axis of largest moment in
+# 57 of them, and round that of smallest in the others. The border, where they take longest, is at another place in each row.
+# (The view hides what stands beside a body; RViz has it in Displays, under Still and Motion.)
+# Numbers: ours; 3 rad/s each, with Omega 5, 13.9, 22.8 ... 85 degrees from x towards z. Written by scripts/make_hundred.py.
 rate: 60
 bodies:
 """
@@ -33,9 +38,30 @@ def line(row, column):
         row, column, box, omega, place)
 
 
+def hidden():
+    """RViz's list of marker namespaces that are switched off, one line a body."""
+    lines = [", ".join("r%dc%d/%s: false" % (row, column, what) for what in HIDDEN)
+             for row in range(ROWS) for column in range(COLUMNS)]
+    return "Namespaces: {\n        " + ",\n        ".join(lines) + "}"
+
+
+def replaced(text, old, new):
+    if old not in text:
+        raise RuntimeError("rviz/demo.rviz has no " + old)
+    return text.replace(old, new)
+
+
 def main():
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "hundred.yaml")
-    with open(path, "w") as out:
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+    with open(os.path.join(root, "rviz", "demo.rviz")) as demo:
+        view = replaced(demo.read(), "Namespaces: {}", hidden())
+    for old, new in (("Distance: 5.7", "Distance: 20"), ("{X: 0, Y: 2.68, Z: 0.0}", "{X: 0, Y: 0, Z: -0.3}"),
+                     ("Pitch: 0.40", "Pitch: 0.1"), ("{X: 0, Y: 2.6, Z: -1.62}", "{X: 0, Y: 0, Z: -9}"),
+                     ("Plane Cell Count: 24", "Plane Cell Count: 40")):
+        view = replaced(view, old, new)
+    with open(os.path.join(root, "rviz", "crowd.rviz"), "w") as out:
+        out.write(view)
+    with open(os.path.join(root, "scenes", "hundred.yaml"), "w") as out:
         out.write(HEAD)
         for row in range(ROWS):
             out.writelines(line(row, column) for column in range(COLUMNS))
