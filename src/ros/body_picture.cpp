@@ -1,14 +1,17 @@
 #include "poinsot/ros/body_picture.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <variant>
 
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/palette.h"
 #include "poinsot/ros/shape_markers.h"
 #include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/polhode.h"
+#include "poinsot/view/reach.h"
 #include "poinsot/view/separatrix.h"
 
 namespace poinsot::node {
@@ -22,11 +25,6 @@ constexpr double kPolhodeWidth = 0.028;
 constexpr double kSeparatrixWidth = 0.012;
 constexpr double kTrailWidth = 0.045;
 constexpr double kBeadDiameter = 0.10;
-constexpr double kShaft = 0.045;
-constexpr double kHead = 0.115;
-constexpr double kHeadLength = 0.17;
-constexpr double kTitleHeight = 0.21;
-constexpr double kSymbolHeight = 0.23;
 constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
 constexpr double kFiguresHeight = 0.19;
 constexpr double kFiguresDepth = 0.55;    // below the title
@@ -42,22 +40,26 @@ constexpr double kTrailShare = 0.6;       // of the polhode: a trail that met it
 constexpr double kStrayTrailShare = 1.5;  // where Ω may leave the polhode, to be seen doing so
 constexpr double kTrailSpacing = 0.012;   // m
 
+// Of a body under torques.
+constexpr double kTorquedTrailLength = 1.5;  // m: the newest stretch of its path
+constexpr double kPathLift = 1.013;
+constexpr double kPathWidth = 0.016;
+constexpr std::size_t kPathPieces = 64;
+constexpr std::size_t kPiecePoints = 256;  // 16384 together
+constexpr double kPathTolerance = 0.003;   // m
+constexpr double kPathSpacing = 0.2;       // m, at most
+const ros::Duration kPathPause(0.25);
+constexpr int kMovingCurvePoints = 96;    // of curves that are sent again and again:
+const ros::Duration kCurvesPause(0.25);   // that often at least,
+constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
+constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
+constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
+constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
+
 constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideBead = 0.22;
 constexpr double kBeforeLines = 0.15;                  // towards the viewer
 const Eigen::Vector3d kBeforeSurfaces(0.32, 0, 0.14);  // towards a viewer who looks down a little
-
-// Ids within <body>/label.
-enum LabelId {
-  kBodyTitle,
-  kSpaceTitle,
-  kModelTitle,
-  kMomentumSymbol,
-  kOmegaPointer,
-  kOmegaSymbol,
-  kModelOmegaSymbol,
-  kFigures
-};
 
 std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b, float t) {
   return palette::colour(a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b));
@@ -90,14 +92,66 @@ std::string methodOf(const MotionSetup& setup) {
   return setup.method + (setup.step ? shown(", step %.3g ms", 1e3 * *setup.step) : "");
 }
 
-view::Trail trailOf(const view::Polhode& polhode, double metres_per_radian_per_second, double share) {
+view::Trail trailOf(const Motion& motion, const view::Polhode& polhode, double metres_per_radian_per_second) {
+  if (motion.torques()) {
+    return {2 + static_cast<std::size_t>(kTorquedTrailLength / kTrailSpacing), kTorquedTrailLength, kTrailSpacing};
+  }
   double length = 0;
   if (!polhode.branches.empty()) {
     const std::vector<Eigen::Vector3d>& points = polhode.branches.front().points;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   }
-  length *= share * metres_per_radian_per_second;
+  length *= (motion.inClosedForm() ? kTrailShare : kStrayTrailShare) * metres_per_radian_per_second;
   return {2 + static_cast<std::size_t>(length / kTrailSpacing), length, kTrailSpacing};
+}
+
+const GravityTorque* weightOf(const scene::Body& body) {
+  for (const Effect& effect : body.effects) {
+    if (const auto* weight = std::get_if<GravityTorque>(&effect)) return weight;
+  }
+  return nullptr;
+}
+
+/** How a body on a pivot would look as a box: with the moments about its centre of mass, by Steiner. */
+std::optional<Assembly> boxOnPivot(const PrincipalInertia& inertia, const GravityTorque& weight) {
+  const Eigen::Vector3d& c = weight.centre_of_mass;
+  const Eigen::Matrix3d about_centre =
+      inertia.tensor() - weight.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_centre);
+  const Eigen::Vector3d moments = solver.eigenvalues();
+  if (!moments.allFinite() || !(moments.minCoeff() > 0)) return std::nullopt;  // no body has these
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) *= -1;
+  const Assembly unit = shapes::equivalentBox(moments, Eigen::Quaterniond(axes));
+  // Sides wᵢ give moments whose sum is m|w|²/6: half the diagonal is √(3 Σμᵢ/(2m)).
+  const double radius = std::sqrt(1.5 * moments.sum() / weight.mass);
+  Solid box = unit.parts().front();
+  box.size *= std::clamp(radius, kLeastStandIn, 1.0) / unit.boundingRadius();
+  return Assembly({box});
+}
+
+Assembly shapeOf(const scene::Body& body) {
+  if (body.shape) return *body.shape;
+  if (const GravityTorque* weight = weightOf(body)) {
+    if (const std::optional<Assembly> box = boxOnPivot(body.inertia, *weight)) return *box;
+  }
+  return shapes::equivalentBox(body.inertia.moments(), body.inertia.axes());
+}
+
+/** Of the centre of mass, from the body's origin. */
+Eigen::Vector3d shapePositionOf(const scene::Body& body) {
+  const GravityTorque* weight = weightOf(body);
+  if (body.shape || !weight) return body.shape_position;
+  return weight->centre_of_mass;
+}
+
+/** Whether `pause` has gone by; stamps may begin anew. */
+bool due(const std::optional<ros::Time>& last, const ros::Time& now, const ros::Duration& pause) {
+  return !last || now < *last || now >= *last + pause;
+}
+
+bool differ(double a, double b) {
+  return std::abs(a - b) > kCurvesChange * b;
 }
 
 }  // namespace
@@ -113,91 +167,82 @@ MarkerArray clearedMarkers() {
   return out;
 }
 
-BodyPicture::BodyPicture(const scene::Body& body, Motion motion, const names::Frames& frames)
-    : name_(body.name),
-      frames_(frames),
-      start_(motion.at(0)),
+BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail)
+    : brush_(body.name, frames),
+      name_(body.name),
+      start_(Motion(motion).at(0)),
       inertia_(body.inertia),
-      shape_(body.shape ? *body.shape : shapes::equivalentBox(body.inertia.moments(), body.inertia.axes())),
+      shape_(shapeOf(body)),
+      shape_position_(shapePositionOf(body)),
       method_(methodOf(motion.setup())),
+      torqued_(motion.torques() != nullptr),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
       polhode_(view::polhode(inertia_.moments(), omega_principal_)),
-      layout_(view::layoutOf(start_.position, shape_.boundingRadius(), inertia_.moments(), inertia_.axes(), polhode_,
-                             omega_principal_)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
-      trail_(trailOf(polhode_, scale_.metres_per_radian_per_second,
-                     motion.inClosedForm() ? kTrailShare : kStrayTrailShare)) {}
-
-Marker BodyPicture::marker(const std::string& ns, int id, int type, const std::string& frame) const {
-  Marker out;
-  out.header.frame_id = frame;
-  out.ns = ns;
-  out.id = id;
-  out.type = type;
-  out.action = Marker::ADD;
-  out.pose.orientation.w = 1;
-  return out;
-}
-
-Marker BodyPicture::text(int id, const std::string& frame, const Eigen::Vector3d& place, const std::string& words,
-                         double height) const {
-  Marker out = marker(names::markers(name_, names::kLabel), id, Marker::TEXT_VIEW_FACING, frame);
-  out.pose.position = toPoint(place);
-  out.text = words;
-  out.scale.z = height;
-  out.color = palette::label();
-  return out;
-}
-
-Marker BodyPicture::arrow(const std::string& ns, const std::string& frame, const Eigen::Vector3d& tip) const {
-  Marker out = marker(ns, 0, Marker::ARROW, frame);
-  out.points = {toPoint(Eigen::Vector3d::Zero()), toPoint(tip)};
-  out.scale = toVector3({kShaft, kHead, kHeadLength});
-  return out;
+      trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
+      path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
+  const double radius = shape_position_.norm() + shape_.boundingRadius();
+  view::Reach reach;
+  if (torqued_ && detail == Detail::pictures) {
+    reach = view::reachOf(motion);
+    scale_ = view::pictureScale(reach.semi_axis, reach.momentum);
+  }
+  layout_ = view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_, omega_principal_,
+                           inertia_.axes().conjugate() * reach.omega_later);
+  title_depth_ = std::max(kTitleDepth, radius + 0.3);
+  if (torqued_) {
+    effects_.emplace(
+        brush_, motion,
+        EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach.torque, scale_.metres_per_angular_momentum});
+    title_depth_ = std::max(title_depth_, effects_->depth());
+  }
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
-  const std::vector<Marker> parts = shapeMarkers(shape_);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Marker part = parts[i];
-    part.header.frame_id = frames_.body;
-    part.ns = names::markers(name_, names::kShape);
-    part.id = static_cast<int>(i);
+  for (Marker& part : shapeMarkers(shape_, shape_position_)) {
+    part.header.frame_id = brush_.frames().body;
+    part.ns = brush_.ns(names::kShape);
     part.frame_locked = true;
     out.markers.push_back(part);
   }
   appendTitles(out);
-  if (atRest()) return;  // no ellipsoids, no curves, no arrows
-  for (const Picture& picture : {Picture{names::kSpace, frames_.space_body}, Picture{names::kModel, frames_.model}}) {
-    appendEllipsoids(picture, out);
-    appendCurves(picture, out);
+  if (effects_) effects_->appendStatic(out);
+  if (torqued_ || atRest()) return;  // nothing more that stands still
+  const std::vector<view::Curve> separatrix = view::separatrix(inertia_.moments(), start_.kinetic_energy);
+  for (const Picture& picture : pictures()) {
+    appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
+    appendCurves(picture, polhode_, separatrix, out);
   }
-  if (momentum_is_constant_) appendMomentum(ros::Time(), start_.momentum_world, out);
+  if (momentum_is_constant_) {
+    for (const Marker& m : momentumMarkers(start_.momentum_world)) out.markers.push_back(m);
+  }
 }
 
-void BodyPicture::appendEllipsoids(const Picture& picture, MarkerArray& out) const {
+void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy, double momentum_squared,
+                                   MarkerArray& out) const {
   const double metres = scale_.metres_per_radian_per_second;
-  const double f = start_.momentum_world.squaredNorm();
   const auto add = [&](const char* what, const Eigen::Vector3d& semi_axes, const std_msgs::ColorRGBA& colour) {
-    Marker m = marker(names::markers(name_, picture.name, what), 0, Marker::SPHERE, picture.body_frame);
+    Marker m = brush_.marker(brush_.ns(picture.name, what), 0, Marker::SPHERE, picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
     m.scale = toVector3(2 * metres * semi_axes);  // a SPHERE's scale is its diameter
     m.color = colour;
     m.frame_locked = true;
     out.markers.push_back(m);
   };
-  add(names::kEnergyEllipsoid, view::energySemiAxes(inertia_.moments(), start_.kinetic_energy), palette::energy());
-  add(names::kMomentumEllipsoid, view::momentumSemiAxes(inertia_.moments(), f), palette::momentumEllipsoid());
+  add(names::kEnergyEllipsoid, view::energySemiAxes(inertia_.moments(), kinetic_energy), palette::energy());
+  add(names::kMomentumEllipsoid, view::momentumSemiAxes(inertia_.moments(), momentum_squared),
+      palette::momentumEllipsoid());
 }
 
-void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
+void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polhode,
+                               const std::vector<view::Curve>& separatrix, MarkerArray& out) const {
   const double metres = scale_.metres_per_radian_per_second;
   const auto add = [&](const char* what, int id, const view::Curve& curve, double lift, double width,
                        const std_msgs::ColorRGBA& colour) {
     const bool is_point = curve.points.size() == 1;  // RViz draws no line through a single point
-    Marker m = marker(names::markers(name_, picture.name, what), id,
-                      is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP, picture.body_frame);
+    Marker m = brush_.marker(brush_.ns(picture.name, what), id, is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP,
+                             picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
     for (const Eigen::Vector3d& p : curve.points) m.points.push_back(toPoint(lift * metres * p));
     if (curve.closed && !is_point) m.points.push_back(m.points.front());
@@ -206,11 +251,10 @@ void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
     m.frame_locked = true;
     out.markers.push_back(m);
   };
-  for (std::size_t i = 0; i < polhode_.branches.size(); ++i) {
-    add(names::kPolhode, static_cast<int>(i), polhode_.branches[i], kPolhodeLift, kPolhodeWidth,
+  for (std::size_t i = 0; i < polhode.branches.size(); ++i) {
+    add(names::kPolhode, static_cast<int>(i), polhode.branches[i], kPolhodeLift, kPolhodeWidth,
         i == 0 ? palette::polhode() : palette::mirrorPolhode());
   }
-  const std::vector<view::Curve> separatrix = view::separatrix(inertia_.moments(), start_.kinetic_energy);
   for (std::size_t i = 0; i < separatrix.size(); ++i) {
     add(names::kSeparatrix, static_cast<int>(i), separatrix[i], kSeparatrixLift, kSeparatrixWidth,
         palette::separatrix());
@@ -218,94 +262,202 @@ void BodyPicture::appendCurves(const Picture& picture, MarkerArray& out) const {
 }
 
 void BodyPicture::appendTitles(MarkerArray& out) const {
-  const Eigen::Vector3d down(0, 0, -std::max(kTitleDepth, shape_.boundingRadius() + 0.3));
-  out.markers.push_back(text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
+  const Eigen::Vector3d down(0, 0, -title_depth_);
+  out.markers.push_back(brush_.text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
   if (atRest()) return;
-  out.markers.push_back(text(kSpaceTitle, frames_.space, down, "in world axes", kTitleHeight));
-  out.markers.push_back(text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
+  out.markers.push_back(brush_.text(kSpaceTitle, brush_.frames().space, down, "in world axes", kTitleHeight));
+  out.markers.push_back(
+      brush_.text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
 }
 
-void BodyPicture::appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& momentum_world,
-                                 MarkerArray& out) const {
+std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& momentum_world) const {
   const Eigen::Vector3d tip = scale_.metres_per_angular_momentum * momentum_world;
-  Marker l = arrow(names::markers(name_, names::kSpace, names::kAngularMomentum), frames_.space, tip);
-  l.color = palette::angularMomentum();
-  Marker symbol = text(kMomentumSymbol, frames_.space, 1.12 * tip, "L", kSymbolHeight);
-  symbol.color = palette::angularMomentum();
-  l.header.stamp = symbol.header.stamp = stamp;
-  out.markers.push_back(l);
-  out.markers.push_back(symbol);
+  Marker l = brush_.arrow(brush_.ns(names::kSpace, names::kAngularMomentum), 0, brush_.frames().space,
+                          Eigen::Vector3d::Zero(), tip);
+  Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, 1.12 * tip, "L", kSymbolHeight);
+  l.color = symbol.color = palette::angularMomentum();
+  return {l, symbol};
 }
 
 void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, MarkerArray& out) {
-  if (figures_shown_ && tick.stamp >= *figures_shown_ && tick.stamp < *figures_shown_ + kFiguresPause) return;
+  if (!due(figures_shown_, tick.stamp, kFiguresPause)) return;
   figures_shown_ = tick.stamp;
-  const std::string words = method_ + shown("\nattitude error %.1e rad", figures.attitude_error) +
-                            shown("\nenergy drift %+.1e", figures.energy_drift) +
-                            (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost));
-  const double down = std::max(kTitleDepth, shape_.boundingRadius() + 0.3) + kFiguresDepth;
-  Marker label = text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
+  // Under torques there is nothing to compare with, and the energy is meant to change.
+  const std::string what = torqued_ ? shown("\nenergy %.4g J", figures.kinetic_energy)
+                                    : shown("\nattitude error %.1e rad", figures.attitude_error) +
+                                          shown("\nenergy drift %+.1e", figures.energy_drift);
+  const std::string words =
+      method_ + what + (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost));
+  const double down = title_depth_ + kFiguresDepth;
+  Marker label =
+      brush_.text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
   label.header.stamp = tick.stamp;
   out.markers.push_back(label);
 }
 
-void BodyPicture::appendMoving(const Tick& tick, const MotionState& state, MarkerArray& out) {
+void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {
   if (atRest()) return;
   const std::size_t first = out.markers.size();
+  if (!torqued_) {
+    appendOmega(state, out);
+    appendTrail(scale_.metres_per_radian_per_second * state.omega_body, out);
+    if (!momentum_is_constant_) {
+      for (const Marker& m : momentumMarkers(state.momentum_world)) out.markers.push_back(m);
+    }
+  } else {
+    appendMovingConstruction(tick, state, out);
+    effects_->appendMoving(state, view::externalTorque(motion, state), stage_, out);
+  }
+  for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = tick.stamp;
+}
+
+void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& state, MarkerArray& out) {
+  const double metres = scale_.metres_per_radian_per_second;
+  const Eigen::Vector3d& moments = inertia_.moments();
+  const Eigen::Vector3d omega = inertia_.axes().conjugate() * state.omega_body;
+  // Of the body alone, without the slug that may be inside: Ω lies on these.
+  const Eigen::Vector3d momentum = moments.cwiseProduct(omega);
+  const double kinetic_energy = 0.5 * momentum.dot(omega), momentum_squared = momentum.squaredNorm();
+
+  const auto put = [this, &out](const MarkerArray& markers) {
+    for (const Marker& m : markers.markers) stage_.put(m, out);
+  };
+  if (scale_.metres_per_angular_momentum * state.momentum_world.norm() > kLeastMomentum) {
+    for (const Marker& m : momentumMarkers(state.momentum_world)) stage_.put(m, out);
+  } else {
+    stage_.withdraw(brush_.ns(names::kSpace, names::kAngularMomentum), 0, out);
+    stage_.withdrawOne(brush_.ns(names::kLabel), kMomentumSymbol, out);
+  }
+
+  appendPath(tick, metres * state.omega_body, out);
+  if (!(metres * momentum.norm() / moments.minCoeff() > kLeastPicture)) {
+    for (const char* picture : {names::kSpace, names::kModel}) {
+      for (const char* what :
+           {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix, names::kOmega}) {
+        stage_.withdraw(brush_.ns(picture, what), 0, out);
+      }
+    }
+    for (const int id : {kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol}) {
+      stage_.withdrawOne(brush_.ns(names::kLabel), id, out);
+    }
+    curves_shown_.reset();
+    return;
+  }
+
+  MarkerArray markers;
+  appendOmega(state, markers);
+  for (const Picture& picture : pictures()) appendEllipsoids(picture, kinetic_energy, momentum_squared, markers);
+  put(markers);
+  const double energy_size = std::sqrt(kinetic_energy), momentum_size = std::sqrt(momentum_squared);
+  if (!due(curves_shown_, tick.stamp, kCurvesPause) && !differ(energy_size, curves_energy_size_) &&
+      !differ(momentum_size, curves_momentum_size_)) {
+    return;
+  }
+  curves_shown_ = tick.stamp;
+  curves_energy_size_ = energy_size;
+  curves_momentum_size_ = momentum_size;
+  const view::Polhode polhode = view::polhode(moments, omega, kMovingCurvePoints);
+  const std::vector<view::Curve> separatrix = view::separatrix(moments, kinetic_energy, kMovingCurvePoints);
+  MarkerArray curves;
+  for (const Picture& picture : pictures()) {
+    appendCurves(picture, polhode, separatrix, curves);
+    // Their number depends on what kind of curve it is.
+    stage_.withdraw(brush_.ns(picture.name, names::kPolhode), static_cast<int>(polhode.branches.size()), out);
+    stage_.withdraw(brush_.ns(picture.name, names::kSeparatrix), static_cast<int>(separatrix.size()), out);
+  }
+  put(curves);
+}
+
+void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const {
   const double metres = scale_.metres_per_radian_per_second;
   const Eigen::Vector3d in_space = metres * state.omega_world;
   const Eigen::Vector3d in_model = metres * state.omega_body;
+  const std::string& space = brush_.frames().space;
+  const std::string& model = brush_.frames().model;
 
-  Marker omega = arrow(names::markers(name_, names::kSpace, names::kOmega), frames_.space, in_space);
+  Marker omega = brush_.arrow(brush_.ns(names::kSpace, names::kOmega), 0, space, Eigen::Vector3d::Zero(), in_space);
   omega.color = palette::omega();
   out.markers.push_back(omega);
 
   // The arrow ends on the surface, where its own ellipsoids hide it: a pointer leads on to its name.
   const Eigen::Vector3d outwards = in_space.normalized();
-  Marker pointer = marker(names::markers(name_, names::kLabel), kOmegaPointer, Marker::ARROW, frames_.space);
-  pointer.points = {toPoint(in_space), toPoint(in_space + kPointerLength * outwards)};
-  pointer.scale = toVector3({kShaft, kHead, kHeadLength});
+  Marker pointer =
+      brush_.arrow(brush_.ns(names::kLabel), kOmegaPointer, space, in_space, in_space + kPointerLength * outwards);
   pointer.color = palette::omega();
   out.markers.push_back(pointer);
-  Marker symbol = text(kOmegaSymbol, frames_.space,
-                       in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world),
-                       "\xCF\x89", kSymbolHeight);
+  Marker symbol = brush_.text(
+      kOmegaSymbol, space, in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world),
+      "\xCF\x89", kSymbolHeight);
   symbol.color = palette::omega();
   out.markers.push_back(symbol);
 
-  Marker bead = marker(names::markers(name_, names::kModel, names::kOmega), 0, Marker::SPHERE, frames_.model);
+  Marker bead = brush_.marker(brush_.ns(names::kModel, names::kOmega), 0, Marker::SPHERE, model);
   bead.pose.position = toPoint(in_model);
   bead.scale = toVector3(Eigen::Vector3d::Constant(kBeadDiameter));
   bead.color = palette::omega();
   out.markers.push_back(bead);
   Marker bead_symbol =
-      text(kModelOmegaSymbol, frames_.model,
-           in_model + layout_.model_orientation.conjugate() * besideBead(layout_.model_orientation * in_model),
-           "\xCE\xA9", kSymbolHeight);
+      brush_.text(kModelOmegaSymbol, model,
+                  in_model + layout_.model_orientation.conjugate() * besideBead(layout_.model_orientation * in_model),
+                  "\xCE\xA9", kSymbolHeight);
   bead_symbol.color = palette::omega();
   out.markers.push_back(bead_symbol);
+}
 
-  trail_.add(kTrailLift * in_model);
-  if (trail_.size() >= 2) {
-    Marker trail = marker(names::markers(name_, names::kTrail), 0, Marker::LINE_STRIP, frames_.model);
-    for (std::size_t i = 0; i < trail_.size(); ++i) {
-      trail.points.push_back(toPoint(trail_[i]));
-      const float age = 1 - static_cast<float>(i + 1) / static_cast<float>(trail_.size());
-      trail.colors.push_back(blend(palette::omega(), palette::polhode(), age));
-    }
-    trail.scale.x = kTrailWidth;
-    trail.color = palette::omega();
-    out.markers.push_back(trail);
-    trail_shown_ = true;
-  } else if (trail_shown_) {
+void BodyPicture::appendTrail(const Eigen::Vector3d& omega_metres, MarkerArray& out) {
+  trail_.add(kTrailLift * omega_metres);
+  if (trail_.size() < 2) {
     // After a jump the old trail would stay where it was.
-    Marker none = marker(names::markers(name_, names::kTrail), 0, Marker::LINE_STRIP, frames_.model);
-    none.action = Marker::DELETE;
-    trail_shown_ = false;
-    out.markers.push_back(none);
+    stage_.withdrawOne(brush_.ns(names::kTrail), 0, out);
+    return;
   }
-  if (!momentum_is_constant_) appendMomentum(tick.stamp, state.momentum_world, out);
-  for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = tick.stamp;
+  Marker trail = brush_.marker(brush_.ns(names::kTrail), 0, Marker::LINE_STRIP, brush_.frames().model);
+  trail.points.reserve(trail_.size());
+  trail.colors.reserve(trail_.size());
+  for (std::size_t i = 0; i < trail_.size(); ++i) {
+    trail.points.push_back(toPoint(trail_[i]));
+    const float age = 1 - static_cast<float>(i + 1) / static_cast<float>(trail_.size());
+    trail.colors.push_back(blend(palette::omega(), palette::polhode(), age));
+  }
+  trail.scale.x = kTrailWidth;
+  trail.color = palette::omega();
+  stage_.put(trail, out);
+}
+
+void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, MarkerArray& out) {
+  appendTrail(omega_metres, out);
+  const std::size_t before = path_.endPiece();
+  path_.add(kPathLift * omega_metres);
+  const std::string ns = brush_.ns(names::kTrail);
+  if (path_jumped_) stage_.withdraw(ns, 1, out);
+  const auto send = [&](std::size_t k) {
+    const std::vector<Eigen::Vector3d>& points = path_.piece(k);
+    if (points.size() < 2) return;
+    // A new piece takes the place of the one that has gone.
+    Marker piece = brush_.marker(ns, 1 + static_cast<int>(k % kPathPieces), Marker::LINE_STRIP, brush_.frames().model);
+    piece.points.reserve(points.size());
+    for (const Eigen::Vector3d& p : points) piece.points.push_back(toPoint(p));
+    piece.scale.x = kPathWidth;
+    piece.color = palette::path();
+    stage_.put(piece, out);
+  };
+  const std::size_t last = path_.endPiece() - 1;
+  if (path_.endPiece() > before && before > 0 && !path_jumped_) send(before - 1);  // now that it is whole
+  path_jumped_ = false;
+  if (!due(path_shown_, tick.stamp, kPathPause)) return;
+  path_shown_ = tick.stamp;
+  send(last);
+  // The others once more in turn, for who came later.
+  if (last == path_.firstPiece()) return;
+  path_turn_ = path_turn_ + 1 < last && path_turn_ + 1 >= path_.firstPiece() ? path_turn_ + 1 : path_.firstPiece();
+  send(path_turn_);
+}
+
+void BodyPicture::clearTrail() {
+  trail_.clear();
+  path_.clear();
+  path_jumped_ = true;
+  path_shown_.reset();
 }
 
 }  // namespace poinsot::node

@@ -42,10 +42,19 @@ CostMeter::CostMeter(Motion motion, double rate) {
     cost_ = rate * (threadCpuTime() - begin) / kTrialStates;
     return;
   }
-  const double simulated = std::min(kTrialSteps * *motion.setup().step, kLongestTrial);
-  const double begin = threadCpuTime();
-  motion.at(simulated);
-  cost_ = stepping_cost_ = (threadCpuTime() - begin) / simulated;
+  double simulated = std::min(kTrialSteps * *motion.setup().step, kLongestTrial);
+  while (true) {
+    try {
+      Motion trial(motion);
+      const double begin = threadCpuTime();
+      trial.at(simulated);
+      cost_ = stepping_cost_ = (threadCpuTime() - begin) / simulated;
+      return;
+    } catch (const std::runtime_error&) {  // torques may drive it out of the range of doubles before
+      simulated *= 0.5;
+      if (simulated < *motion.setup().step) throw;
+    }
+  }
 }
 
 void CostMeter::add(double cpu, double simulated, double time, const Motion& motion) {

@@ -30,7 +30,8 @@ MovingBody::MovingBody(const scene::Body& body, const std::string& frame_prefix,
       motion_(scene::motionSetup(body)),
       accuracy_(body.accuracy && !body.accuracy->by_default ? body.accuracy->error
                                                             : std::numeric_limits<double>::quiet_NaN()),
-      picture_(std::make_unique<BodyPicture>(body, motion_, frames_)),
+      picture_(std::make_unique<BodyPicture>(body, motion_, frames_,
+                                             markers ? BodyPicture::Detail::pictures : BodyPicture::Detail::none)),
       layout_(picture_->layout()),
       scale_(picture_->scale()),
       state_(motion_.at(0)) {

@@ -76,7 +76,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
       status.summary(astray ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
                      setup.method + step + (astray ? ": " + shown(figures.attitude_error) + " rad astray" : ""));
       status.addf("simulation time [s]", "%.9g", added->state().time);
-      status.addf("attitude error [rad]", "%.3g", figures.attitude_error);
+      if (!added->motion().torques()) status.addf("attitude error [rad]", "%.3g", figures.attitude_error);
+      status.addf("energy [J]", "%.6g", figures.kinetic_energy);
       status.addf("energy drift", "%.3g", figures.energy_drift);
       status.addf("momentum drift", "%.3g", added->momentumDrift());
       status.addf("cost [CPU s per simulated s]", "%.3g", figures.cost);
@@ -199,7 +200,7 @@ void Node::publishMarkers(const Tick& tick) {
   if (watched) {
     MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
     for (const auto& body : bodies_) {
-      body->picture().appendMoving(tick, body->state(), markers);
+      body->picture().appendMoving(tick, body->motion(), body->state(), markers);
       if (some_body_steps_) body->picture().appendFigures(tick, body->figures(), markers);
     }
     if (!markers.markers.empty()) markers_publisher_.publish(markers);
@@ -213,7 +214,7 @@ void Node::takeFinishedSeek() {
   std::optional<Seeker::Result> result;
   try {
     result = seeker_.poll();
-  } catch (const std::range_error& error) {
+  } catch (const std::runtime_error& error) {  // range_error, NoConvergence
     ROS_ERROR("seek refused: %s there", error.what());
   }
   if (!result) return;
@@ -295,11 +296,13 @@ void Node::onSeek(const std_msgs::Float64& message) {
   }
   seeker_.cancel();
   if (total <= kBackgroundSeekSteps) {
-    try {
-      for (const auto& body : bodies_) body->motion().at(time);
-    } catch (const std::range_error& error) {
-      ROS_ERROR("seek to %g s refused: %s there", time, error.what());
-      return;
+    for (const auto& body : bodies_) {
+      try {
+        body->motion().at(time);
+      } catch (const std::runtime_error& error) {  // range_error, NoConvergence
+        ROS_ERROR("seek to %g s refused: body %s: %s there", time, body->name().c_str(), error.what());
+        return;
+      }
     }
     jumpTo(time);
     return;

@@ -99,9 +99,10 @@ void SceneBag::writeMoving(const Tick& tick) {
   MarkerArray markers;
   for (const Entry& entry : entries_) {
     MovingBody& body = *entry.body;
-    body.picture().appendMoving(tick, body.state(), markers);
+    body.picture().appendMoving(tick, body.motion(), body.state(), markers);
     if (!some_body_steps_) continue;
-    body.picture().appendFigures(tick, {body.attitudeError(), body.energyDrift(), kNotMeasured}, markers);
+    body.picture().appendFigures(
+        tick, {body.attitudeError(), body.energyDrift(), kNotMeasured, body.state().kinetic_energy}, markers);
   }
   if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);
 }

@@ -48,13 +48,16 @@ std::vector<Solid> toldApart(const Solid& solid) {
 
 }  // namespace
 
-std::vector<visualization_msgs::Marker> shapeMarkers(const Assembly& shape) {
+std::vector<visualization_msgs::Marker> shapeMarkers(const Assembly& shape, const Eigen::Vector3d& centre) {
   const bool single = shape.parts().size() == 1;
   const std::vector<Solid> parts = single ? toldApart(shape.parts().front()) : shape.parts();
   std::vector<visualization_msgs::Marker> out;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     // The second half of a single solid takes the brightest colour.
-    out.push_back(markerOf(parts[i], static_cast<int>(single && i == 1 ? 2 : i)));
+    Solid part = parts[i];
+    part.centre += centre;
+    out.push_back(markerOf(part, static_cast<int>(single && i == 1 ? 2 : i)));
+    out.back().id = static_cast<int>(i);
   }
   return out;
 }

@@ -12,7 +12,8 @@ constexpr double kTip = 0.25;          // rad, of the intermediate axis towards 
 constexpr double kTurn = 0.6;          // rad, of the axis that the polhode goes round, away from the viewer
 
 /** Principal axes → world. */
-Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime, const Eigen::Vector3d& omega) {
+Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime, const Eigen::Vector3d& omega,
+                                   const Eigen::Vector3d& omega_later) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return moments[a] < moments[b]; });
   const int small = order[0], middle = order[1], large = order[2];
@@ -23,6 +24,10 @@ Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime
   r(2, middle) = 1;
   r(1, side) = 1;
   if (r.determinant() < 0) r(1, side) = -1;
+  if (r(1, side) * omega_later[side] > 0) {  // +y is what kTurn turns away
+    r(1, side) = -r(1, side);
+    r(2, middle) = -1;
+  }
   return Eigen::AngleAxisd(kTurn, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(kTip, Eigen::Vector3d::UnitY()) *
          Eigen::Quaterniond(r);
 }
@@ -30,10 +35,12 @@ Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime
 }  // namespace
 
 Layout layoutOf(const Eigen::Vector3d& position, double body_radius, const Eigen::Vector3d& moments,
-                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal) {
+                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal,
+                const Eigen::Vector3d& omega_later_principal) {
   const double first = body_radius + kGap + 0.5 * kPictureWidth;
   return {position + Eigen::Vector3d(0, first, 0), position + Eigen::Vector3d(0, first + kPictureWidth, 0),
-          (facingTheViewer(moments, polhode.regime, omega_principal) * axes.conjugate()).normalized()};
+          (facingTheViewer(moments, polhode.regime, omega_principal, omega_later_principal) * axes.conjugate())
+              .normalized()};
 }
 
 }  // namespace poinsot::view

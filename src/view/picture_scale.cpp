@@ -21,4 +21,8 @@ PictureScale pictureScale(const Eigen::Vector3d& moments, const Eigen::Vector3d&
           orOne(kMomentumLength / unit_momentum / largest)};
 }
 
+PictureScale pictureScale(double longest_semi_axis, double momentum) {
+  return {orOne(kPictureRadius / longest_semi_axis), orOne(kMomentumLength / momentum)};
+}
+
 }  // namespace poinsot::view

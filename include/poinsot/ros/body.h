@@ -18,7 +18,9 @@ class Body : public MovingBody {
 
   const CostMeter& cost() const { return cost_; }
   /** Of the last move. */
-  BodyPicture::Figures figures() const { return {attitudeError(), energyDrift(), cost_.cost()}; }
+  BodyPicture::Figures figures() const {
+    return {attitudeError(), energyDrift(), cost_.cost(), state().kinetic_energy};
+  }
 
   /** MovingBody::move, its cost measured. */
   void move(const Tick& tick);

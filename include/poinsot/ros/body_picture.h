@@ -2,14 +2,19 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "poinsot/core/motion.h"
+#include "poinsot/ros/brush.h"
+#include "poinsot/ros/effect_markers.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/simulation_clock.h"
 #include "poinsot/scene/scene.h"
 #include "poinsot/view/layout.h"
+#include "poinsot/view/path.h"
 #include "poinsot/view/picture_scale.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/trail.h"
@@ -19,11 +24,21 @@ namespace poinsot::node {
 /** Begins an array that may meet markers of an earlier scene in a viewer. */
 visualization_msgs::MarkerArray clearedMarkers();
 
-/** One body's markers: the body itself and the two pictures of Poinsot's construction. */
+/**
+ * One body's markers: the body itself, the two pictures of Poinsot's construction, and what shows its effects.
+ *
+ * E and MΩ of a free body are constant, and so are its ellipsoids and curves. Under torques they are those of the
+ * moment, and move.
+ */
 class BodyPicture {
  public:
-  /** @param motion a copy of that body's. */
-  BodyPicture(const scene::Body& body, Motion motion, const names::Frames& frames);
+  /** How much is worked out beforehand. */
+  enum class Detail {
+    none,     ///< nobody will look: layout() and scale() are those of the start
+    pictures  ///< how large the pictures of a body under torques will get as well (view/reach.h)
+  };
+
+  BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail);
 
   const view::Layout& layout() const { return layout_; }
   const view::PictureScale& scale() const { return scale_; }
@@ -31,56 +46,72 @@ class BodyPicture {
   /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;
 
-  /** What a label says of a body that is compared with the truth. */
+  /** What a label says of a body: one under torques of its energy, another of how it compares with the truth. */
   struct Figures {
     double attitude_error;  ///< [rad]
     double energy_drift;    ///< relative
     double cost;            ///< CPU s per simulated s; NaN: not measured, and not shown
+    double kinetic_energy;  ///< [J]
   };
 
   /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */
   void appendFigures(const Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
 
   /** What moves, at one tick. */
-  void appendMoving(const Tick& tick, const MotionState& state, visualization_msgs::MarkerArray& out);
+  void appendMoving(const Tick& tick, const Motion& motion, const MotionState& state,
+                    visualization_msgs::MarkerArray& out);
 
   /** Forgets the trail: nobody looked, or the motion jumped. */
-  void clearTrail() { trail_.clear(); }
+  void clearTrail();
 
  private:
   /** The pictures in world and in body axes hang the same things on different frames. */
   struct Picture {
     const char* name;        ///< "space" or "model", in marker namespaces
-    std::string body_frame;  ///< in which the ellipsoids are at rest
+    std::string body_frame;  ///< in which the ellipsoids are at rest, or only change their size
   };
+  std::array<Picture, 2> pictures() const {
+    return {Picture{names::kSpace, brush_.frames().space_body}, Picture{names::kModel, brush_.frames().model}};
+  }
 
-  bool atRest() const { return start_.omega_body.isZero(0); }
+  bool atRest() const { return !torqued_ && start_.omega_body.isZero(0); }
 
-  visualization_msgs::Marker marker(const std::string& ns, int id, int type, const std::string& frame) const;
-  visualization_msgs::Marker text(int id, const std::string& frame, const Eigen::Vector3d& place,
-                                  const std::string& words, double height) const;
-  visualization_msgs::Marker arrow(const std::string& ns, const std::string& frame, const Eigen::Vector3d& tip) const;
-
-  void appendEllipsoids(const Picture& picture, visualization_msgs::MarkerArray& out) const;
-  void appendCurves(const Picture& picture, visualization_msgs::MarkerArray& out) const;
+  void appendEllipsoids(const Picture& picture, double kinetic_energy, double momentum_squared,
+                        visualization_msgs::MarkerArray& out) const;
+  void appendCurves(const Picture& picture, const view::Polhode& polhode, const std::vector<view::Curve>& separatrix,
+                    visualization_msgs::MarkerArray& out) const;
   void appendTitles(visualization_msgs::MarkerArray& out) const;
-  void appendMomentum(const ros::Time& stamp, const Eigen::Vector3d& momentum_world,
-                      visualization_msgs::MarkerArray& out) const;
+  std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world) const;
+  void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
+  void appendTrail(const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
+  void appendMovingConstruction(const Tick& tick, const MotionState& state, visualization_msgs::MarkerArray& out);
+  void appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
 
+  Brush brush_;
   std::string name_;
-  names::Frames frames_;
   MotionState start_;
   PrincipalInertia inertia_;
   Assembly shape_;
-  std::string method_;  ///< with its step
+  Eigen::Vector3d shape_position_;  ///< of its centre of mass, body axes [m]
+  std::string method_;              ///< with its step
   std::optional<ros::Time> figures_shown_;
+  bool torqued_;
   bool momentum_is_constant_;        ///< by the method's promise, so that L need not be sent again
   Eigen::Vector3d omega_principal_;  ///< at t = 0 [rad/s]
-  view::Polhode polhode_;
+  view::Polhode polhode_;            ///< at t = 0
   view::Layout layout_;
   view::PictureScale scale_;
+  double title_depth_;  ///< of the titles below the centres [m]
   view::Trail trail_;
-  bool trail_shown_ = false;  ///< in a viewer, by what was sent
+  Stage stage_;
+
+  // Of a body under torques.
+  std::optional<EffectMarkers> effects_;
+  view::Path path_;
+  bool path_jumped_ = false;  ///< what was shown of it is no more
+  std::optional<ros::Time> path_shown_, curves_shown_;
+  std::size_t path_turn_ = 0;                                 ///< the piece that was sent once more
+  double curves_energy_size_ = 0, curves_momentum_size_ = 0;  ///< √E and |MΩ| when the curves were sent
 };
 
 }  // namespace poinsot::node

@@ -35,6 +35,19 @@ inline std_msgs::ColorRGBA omega() {
 inline std_msgs::ColorRGBA angularMomentum() {
   return colour(0.20f, 0.78f, 0.55f);
 }
+/** Where Ω came from, under torques. */
+inline std_msgs::ColorRGBA path() {
+  return colour(1, 0.86f, 0.93f);
+}
+inline std_msgs::ColorRGBA torque() {
+  return colour(0.96f, 0.90f, 0.25f);
+}
+inline std_msgs::ColorRGBA gravity() {
+  return colour(0.40f, 0.76f, 0.96f);
+}
+inline std_msgs::ColorRGBA pivot() {
+  return colour(0.86f, 0.87f, 0.90f);
+}
 inline std_msgs::ColorRGBA label() {
   return colour(0.93f, 0.94f, 0.96f);
 }

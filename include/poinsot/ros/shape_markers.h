@@ -2,6 +2,7 @@
 
 #include <visualization_msgs/Marker.h>
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "poinsot/core/assembly.h"
@@ -10,8 +11,10 @@ namespace poinsot::node {
 
 /**
  * The body as it looks: its solids in true size [m], in body axes, painted so that neither a turn nor a flip can be
- * overlooked. Type, pose, scale and colour are filled in; header, ns and id are left to the caller.
+ * overlooked. Type, id, pose, scale and colour are filled in; header and ns are left to
+ * the caller.
+ * @param centre of mass, body axes [m].
  */
-std::vector<visualization_msgs::Marker> shapeMarkers(const Assembly& shape);
+std::vector<visualization_msgs::Marker> shapeMarkers(const Assembly& shape, const Eigen::Vector3d& centre);
 
 }  // namespace poinsot::node

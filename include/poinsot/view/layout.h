@@ -26,9 +26,13 @@ struct Layout {
  * @param omega_principal Ω at t = 0 [rad/s], principal axes.
  *
  * The picture in body axes is turned so that the polhode lies on the viewer's side: the axis that it goes round towards
- * the viewer, and some way to the side, the intermediate axis up.
+ * the viewer, and some way to the side, the intermediate axis up. Of the two ends of the axis that is then at the side,
+ * the one that `omega_later` is nearer to is turned to the viewer: where a body that loses energy arrives.
+ *
+ * @param omega_later_principal Ω at a later time [rad/s], principal axes; zero where it does not matter.
  */
 Layout layoutOf(const Eigen::Vector3d& position, double body_radius, const Eigen::Vector3d& moments,
-                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal);
+                const Eigen::Quaterniond& axes, const Polhode& polhode, const Eigen::Vector3d& omega_principal,
+                const Eigen::Vector3d& omega_later_principal = Eigen::Vector3d::Zero());
 
 }  // namespace poinsot::view

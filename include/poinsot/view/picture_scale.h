@@ -19,4 +19,8 @@ struct PictureScale {
  */
 PictureScale pictureScale(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal);
 
+/** The scale at which an ellipsoid with this semi-axis [rad/s] and an L of this length [kg·m²/s] have their full size.
+ */
+PictureScale pictureScale(double longest_semi_axis, double momentum);
+
 }  // namespace poinsot::view

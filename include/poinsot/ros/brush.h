@@ -1,0 +1,75 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "poinsot/ros/names.h"
+
+namespace poinsot::node {
+
+// Lengths in metres; a picture's ellipsoids reach 1 m.
+constexpr double kShaft = 0.045;
+constexpr double kHead = 0.115;
+constexpr double kHeadLength = 0.17;
+constexpr double kTitleHeight = 0.21;
+constexpr double kSymbolHeight = 0.23;
+
+/** Ids within <body>/label. */
+enum LabelId {
+  kBodyTitle,
+  kSpaceTitle,
+  kModelTitle,
+  kMomentumSymbol,
+  kOmegaPointer,
+  kOmegaSymbol,
+  kModelOmegaSymbol,
+  kFigures,
+  kTorqueSymbol,
+  kTorqueAtMomentumSymbol,
+  kWeightSymbol,
+  kOrbitSymbol
+};
+
+/** Makes markers of one body, in its namespaces and its frames; stamps 0. */
+class Brush {
+ public:
+  Brush(std::string body, names::Frames frames) : body_(std::move(body)), frames_(std::move(frames)) {}
+
+  const names::Frames& frames() const { return frames_; }
+  std::string ns(const char* what) const { return names::markers(body_, what); }
+  std::string ns(const char* picture, const char* what) const { return names::markers(body_, picture, what); }
+
+  visualization_msgs::Marker marker(const std::string& ns, int id, int type, const std::string& frame) const;
+  visualization_msgs::Marker text(LabelId id, const std::string& frame, const Eigen::Vector3d& place,
+                                  const std::string& words, double height) const;
+  visualization_msgs::Marker arrow(const std::string& ns, int id, const std::string& frame, const Eigen::Vector3d& from,
+                                   const Eigen::Vector3d& tip) const;
+
+ private:
+  std::string body_;
+  names::Frames frames_;
+};
+
+/** What a viewer has of markers that may have to go again: only what was put there is ever taken away. */
+class Stage {
+ public:
+  /** Sends a marker. */
+  void put(const visualization_msgs::Marker& marker, visualization_msgs::MarkerArray& out);
+
+  /** Sends DELETE for the markers of a namespace with ids from `first_id` on, where they were put; stamps 0. */
+  void withdraw(const std::string& ns, int first_id, visualization_msgs::MarkerArray& out);
+  void withdrawOne(const std::string& ns, int id, visualization_msgs::MarkerArray& out);
+
+ private:
+  using Key = std::pair<std::string, int>;
+  std::map<Key, std::string> there_;  ///< and the frame of each
+
+  std::map<Key, std::string>::iterator withdraw(std::map<Key, std::string>::iterator it,
+                                                visualization_msgs::MarkerArray& out);
+};
+
+}  // namespace poinsot::node

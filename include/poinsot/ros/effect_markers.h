@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "poinsot/core/motion.h"
+#include "poinsot/ros/brush.h"
+#include "poinsot/ros/simulation_clock.h"
+
+namespace poinsot::node {
+
+/**
+ * What shows a body's effects: the torque on it as an arrow from its origin, and once more at the tip of L, which moves
+ * that way; its weight, with the pivot and the rod to its centre of mass; the way to the centre of its orbit.
+ *
+ * A body has what its effects call for: an effect that is absent, or that only moves momentum about inside, has none.
+ */
+class EffectMarkers {
+ public:
+  struct Sizes {
+    double shape_radius;                 ///< of the body about its centre of mass [m]
+    double reach;                        ///< of the body from its origin [m]
+    double torque;                       ///< the largest to be expected [N·m]
+    double metres_per_angular_momentum;  ///< of the picture in world axes
+  };
+  EffectMarkers(const Brush& brush, const Motion& motion, const Sizes& sizes);
+
+  /** How far its arrows may reach from the body's origin, downwards [m]. */
+  double depth() const;
+
+  void appendStatic(visualization_msgs::MarkerArray& out) const;
+
+  /** @param torque_world the external one [N·m]. */
+  void appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+                    visualization_msgs::MarkerArray& out) const;
+
+ private:
+  void appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+                    visualization_msgs::MarkerArray& out) const;
+
+  Brush brush_;
+  Sizes sizes_;
+  bool torque_ = false;  ///< some effect exerts one
+  std::optional<GravityTorque> weight_;
+  std::optional<Torques::Gradient> orbit_;
+};
+
+}  // namespace poinsot::node

@@ -1,0 +1,123 @@
+#include "poinsot/ros/effect_markers.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/palette.h"
+
+namespace poinsot::node {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+// Lengths in metres.
+constexpr double kTorqueBeyond = 0.4;      // of the largest torque's arrow, beyond the body
+constexpr double kTorqueAtMomentum = 0.7;  // of the largest torque's arrow at the tip of L
+constexpr double kLeastArrow = 0.01;       // what would be shorter is not drawn
+constexpr double kWeightBeyond = 0.3;
+constexpr double kOrbitBeyond = 0.3;
+constexpr double kPivotDiameter = 0.13;
+constexpr double kRodDiameter = 0.05;
+constexpr double kBeside = 0.16;  // of a symbol, from the tip of its arrow
+
+// Ids within <body>/torque and <body>/gravity.
+enum TorqueId { kAtBody, kAtMomentum };
+enum GravityId { kPivot, kRod, kWeight, kToCentre };
+
+bool exertsTorque(const Effect& effect) {
+  return !std::holds_alternative<InternalDissipation>(effect);
+}
+
+/** Beyond the tip of an arrow, and to its side for a viewer at +x where it points at him. */
+Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d seen(0, direction.y(), direction.z());
+  const Eigen::Vector3d to_side = seen.norm() > 0.3 ? seen.normalized() : Eigen::Vector3d(0, -0.7, 0.7);
+  return tip + kBeside * to_side;
+}
+
+}  // namespace
+
+EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Sizes& sizes)
+    : brush_(brush), sizes_(sizes) {
+  for (const Effect& effect : motion.setup().effects) {
+    torque_ = torque_ || exertsTorque(effect);
+    if (const auto* weight = std::get_if<GravityTorque>(&effect)) weight_ = *weight;
+  }
+  if (motion.torques()) orbit_ = motion.torques()->gradient();
+}
+
+double EffectMarkers::depth() const {
+  double depth = 0;
+  if (torque_) depth = sizes_.reach + kTorqueBeyond;
+  if (weight_) depth = std::max(depth, weight_->centre_of_mass.norm() + sizes_.shape_radius + kWeightBeyond);
+  return depth + (depth > 0 ? kBeside : 0);
+}
+
+void EffectMarkers::appendStatic(MarkerArray& out) const {
+  if (!weight_) return;
+  Marker pivot = brush_.marker(brush_.ns(names::kGravity), kPivot, Marker::SPHERE, brush_.frames().body);
+  pivot.scale = toVector3(Eigen::Vector3d::Constant(kPivotDiameter));
+  pivot.color = palette::pivot();
+  pivot.frame_locked = true;
+  out.markers.push_back(pivot);
+
+  const Eigen::Vector3d& centre = weight_->centre_of_mass;
+  if (centre.isZero(0)) return;
+  Marker rod = brush_.marker(brush_.ns(names::kGravity), kRod, Marker::CYLINDER, brush_.frames().body);
+  rod.pose.position = toPoint(0.5 * centre);
+  rod.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), centre));
+  rod.scale = toVector3({kRodDiameter, kRodDiameter, centre.norm()});
+  rod.color = palette::pivot();
+  rod.frame_locked = true;
+  out.markers.push_back(rod);
+}
+
+void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+                                 MarkerArray& out) const {
+  if (torque_) appendTorque(state, torque_world, stage, out);
+  const auto draw = [&](int id, LabelId symbol_id, const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                        double length, const char* symbol) {
+    const Eigen::Vector3d tip = from + length * direction;
+    Marker arrow = brush_.arrow(brush_.ns(names::kGravity), id, names::kWorld, from, tip);
+    Marker label = brush_.text(symbol_id, names::kWorld, beyond(tip, direction), symbol, kSymbolHeight);
+    arrow.color = label.color = palette::gravity();
+    stage.put(arrow, out);
+    stage.put(label, out);
+  };
+  if (weight_ && !weight_->gravity.isZero(0)) {
+    draw(kWeight, kWeightSymbol, state.position + state.attitude * weight_->centre_of_mass,
+         weight_->gravity.stableNormalized(), sizes_.shape_radius + kWeightBeyond, "mg");
+  }
+  if (orbit_) {
+    draw(kToCentre, kOrbitSymbol, state.position, -orbit_->radialAt(state.time), sizes_.reach + kOrbitBeyond,
+         "to the centre");
+  }
+}
+
+void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+                                 MarkerArray& out) const {
+  const std::string ns = brush_.ns(names::kTorque);
+  const auto draw = [&](int id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
+                        double longest) {
+    const Eigen::Vector3d way = sizes_.torque > 0 ? Eigen::Vector3d(longest * (torque_world / sizes_.torque))
+                                                  : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    if (!(way.norm() > kLeastArrow) || !way.allFinite()) {
+      stage.withdrawOne(ns, id, out);
+      stage.withdrawOne(brush_.ns(names::kLabel), symbol_id, out);
+      return;
+    }
+    Marker arrow = brush_.arrow(ns, id, frame, from, from + way);
+    Marker label = brush_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);
+    arrow.color = label.color = palette::torque();
+    stage.put(arrow, out);
+    stage.put(label, out);
+  };
+  draw(kAtBody, kTorqueSymbol, names::kWorld, state.position, sizes_.reach + kTorqueBeyond);
+  draw(kAtMomentum, kTorqueAtMomentumSymbol, brush_.frames().space,
+       sizes_.metres_per_angular_momentum * state.momentum_world, kTorqueAtMomentum);
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,60 @@
+#include "poinsot/view/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace poinsot::view {
+namespace {
+
+constexpr int kSamples = 600;
+constexpr double kMostSteps = 1e5;
+
+void extend(Reach& reach, const Motion& motion, const MotionState& state) {
+  const PrincipalInertia& inertia = motion.setup().inertia;
+  const Eigen::Vector3d momentum = inertia.moments().cwiseProduct(inertia.axes().conjugate() * state.omega_body);
+  reach.semi_axis = std::max(reach.semi_axis, momentum.stableNorm() / inertia.moments().minCoeff());
+  reach.momentum = std::max(reach.momentum, state.momentum_world.stableNorm());
+  reach.torque = std::max(reach.torque, externalTorque(motion, state).stableNorm());
+  reach.omega_later = state.omega_body;
+}
+
+double horizonOf(const Motion& motion) {
+  double horizon = kReachHorizon;
+  if (const Torques* torques = motion.torques(); torques && !torques->switches().empty()) {
+    horizon = std::max(horizon, torques->switches().back() + kReachSoon);
+  }
+  if (const auto& step = motion.setup().step) horizon = std::min(horizon, kMostSteps * *step);
+  return horizon;
+}
+
+double clamped(double value, double soon) {
+  return soon > 0 ? std::min(value, kMostGrowth * soon) : value;
+}
+
+}  // namespace
+
+Eigen::Vector3d externalTorque(const Motion& motion, const MotionState& state) {
+  const Torques* torques = motion.torques();
+  if (!torques || !torques->slug()) return state.torque_world;
+  return state.torque_world + state.attitude * (torques->slug()->damping * (state.omega_body - state.slug_omega));
+}
+
+Reach reachOf(Motion motion) {
+  const double horizon = horizonOf(motion);
+  Reach reach, soon;
+  try {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = horizon * i / kSamples;
+      extend(reach, motion, motion.at(t));
+      if (t <= kReachSoon) soon = reach;
+    }
+  } catch (const std::runtime_error&) {  // there are no more states than these
+  }
+  reach.semi_axis = clamped(reach.semi_axis, soon.semi_axis);
+  reach.momentum = clamped(reach.momentum, soon.momentum);
+  reach.torque = clamped(reach.torque, soon.torque);
+  return reach;
+}
+
+}  // namespace poinsot::view
