@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin; and rviz/crowd.rviz,
-which is rviz/demo.rviz from further away and without the pictures beside the bodies."""
+"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin; and
+rviz/crowd.rviz, which is rviz/demo.rviz from further away and without the pictures beside the bodies."""
 import math
 import os
 
@@ -8,16 +8,17 @@ ROWS, COLUMNS = 10, 10
 WIDTH, HEIGHT = 2.8, 1.6  # of a cell [m]
 RATE = 3.0  # |Omega| [rad/s]
 
-HIDDEN = """label trail space/energy_ellipsoid space/momentum_ellipsoid space/polhode space/separatrix space/omega
-space/angular_momentum model/energy_ellipsoid model/momentum_ellipsoid model/polhode model/separatrix model/omega""".split()
+HIDDEN = ["label", "trail", "space/angular_momentum"] + [
+    "%s/%s" % (picture, what) for picture in ("space", "model")
+    for what in ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix", "omega")]
 
 HEAD = """\
-# A hundred bodies. Every row has another box, from a stick (top) to a plate (bottom). From left to right they are spun ever
-# further from the axis of smallest moment, towards that of largest. On the left they go on as they were spun, like a thrown
-# spear, and on the right, like a discus; in between they turn over and over: Omega goes round the axis of largest moment in
-# 57 of them, and round that of smallest in the others. The border, where they take longest, is at another place in each row.
+# A hundred bodies. Every row has another box, from a stick (top) to a plate (bottom). From left to right they are spun
+# ever further from the axis of smallest moment, towards that of largest. On the left they go on as they were spun,
+# like a spear, and on the right, like a discus; in between they tumble: Omega goes round the axis of largest moment in
+# 57 of them, and round that of smallest in the others. The border between the two is at another place in each row.
 # (The view hides what stands beside a body; RViz has it in Displays, under Still and Motion.)
-# Numbers: ours; 3 rad/s each, with Omega 5, 13.9, 22.8 ... 85 degrees from x towards z. Written by scripts/make_hundred.py.
+# Numbers: ours; 3 rad/s each, Omega 5, 13.9, 22.8 ... 85 degrees from x towards z. By scripts/make_hundred.py.
 rate: 60
 bodies:
 """
@@ -55,7 +56,7 @@ def main():
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
     with open(os.path.join(root, "rviz", "demo.rviz")) as demo:
         view = replaced(demo.read(), "Namespaces: {}", hidden())
-    for old, new in (("Distance: 5.7", "Distance: 20"), ("{X: 0, Y: 2.68, Z: 0.0}", "{X: 0, Y: 0, Z: -0.3}"),
+    for old, new in (("Distance: 5.7", "Distance: 21"), ("{X: 0, Y: 2.68, Z: 0.0}", "{X: 0, Y: 0, Z: 0.1}"),
                      ("Pitch: 0.40", "Pitch: 0.1"), ("{X: 0, Y: 2.6, Z: -1.62}", "{X: 0, Y: 0, Z: -9}"),
                      ("Plane Cell Count: 24", "Plane Cell Count: 40")):
         view = replaced(view, old, new)

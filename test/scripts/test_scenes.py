@@ -82,14 +82,14 @@ def document_complaints(name, document, folder):
 
 
 def run_complaints(path):
-    """--check, and a second of simulate, without a warning."""
+    """--check, and a minute of simulate, without a warning."""
     out = []
     code, said = run(os.path.join(PROGRAMS, "poinsot_node"), "--check", path)
     if code != 0 or "warn" in said.lower():
         out.append("--check: exit %d, %s" % (code, said.strip()[:300]))
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "states.csv")
-        code, said = run(os.path.join(PROGRAMS, "simulate"), path, "--csv", file, "--duration", "1")
+        code, said = run(os.path.join(PROGRAMS, "simulate"), path, "--csv", file, "--duration", "60")
         if code != 0 or "warn" in said.lower() or "as near as doubles come" in said:
             return out + ["simulate: exit %d, %s" % (code, said.strip()[:300])]
         states = read(file)
@@ -98,7 +98,7 @@ def run_complaints(path):
     if list(states) != names:
         out.append("simulate: bodies " + ", ".join(states))
     for name, rows in states.items():
-        if rows[-1, 0] != 1 or not np.isfinite(rows).all():
+        if rows[-1, 0] != 60 or not np.isfinite(rows).all():
             out.append("simulate: %s ends at %g s" % (name, rows[-1, 0]))
     return out
 
