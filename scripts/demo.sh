@@ -36,11 +36,10 @@ fi
 [ -n "${DISPLAY:-}" ] || headless=yes
 
 case "$scene" in
-  */* | *.yaml) file=$(realpath -m -- "$scene") view=demo ;;
-  *) file=$root/scenes/$scene.yaml view=$scene ;;
+  */* | *.yaml) file=$(realpath -m -- "$scene") what=scene_file:=$file ;;
+  *) file=$root/scenes/$scene.yaml what=scene:=$scene ;;
 esac
 [ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
-[ -f "$root/rviz/$view.rviz" ] || view=demo
 
 "$root/scripts/setup.sh"
 say "building"
@@ -77,8 +76,7 @@ if [ $headless = yes ]; then
 fi
 
 say "showing $scene"
-roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$root/rviz/$view.rviz" rviz_args:="$rviz_args" \
-  > "$log" 2>&1 &
+roslaunch poinsot demo.launch "$what" rviz_args:="$rviz_args" > "$log" 2>&1 &
 launch_pid=$!
 
 died() { tail -n 20 "$log" >&2; launch_pid=; fail "demo.sh: the launch ended early; its output is in $log"; }

@@ -73,6 +73,7 @@ script sanitizers "$root/test/sanitizers/run.sh"
 script mutations "$root/test/mutations/run.py"
 script workspace "$root/test/workspace/test_workspace.sh"
 script work_precision "$root/test/scripts/test_work_precision.py" "$build/devel/lib/poinsot/work_precision"
+script scenes "$root/test/scripts/test_scenes.py" "$build/devel/lib/poinsot"
 script scripts "$root/test/scripts/test_scripts.sh"
 
 say "result"

@@ -13,10 +13,11 @@ namespace poinsot::cost {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kAim = 0.5;    // of the accuracy: what is looked for
-constexpr double kMost = 0.8;   // of the accuracy: what is taken, for times between the looks
-constexpr double kAgree = 0.1;  // of the accuracy: how far two references may differ
-constexpr double kSlow = 0.01;  // of the greatest |Omega|
+constexpr double kAim = 0.5;     // of the accuracy: what is looked for
+constexpr double kMost = 0.8;    // of the accuracy: what is taken, for times between the looks
+constexpr double kAgree = 0.1;   // of the accuracy: how far two references may differ
+constexpr double kSlow = 0.01;   // of the greatest |Omega|
+constexpr double kRest = 1e-14;  // of the same: what rounding leaves of a spin that was brought to rest
 constexpr int kMostLooks = 512;
 constexpr double kMostSteps = 2e7;    // of one trial: some seconds
 constexpr int kMostTrials = 24;       // to one method
@@ -104,7 +105,8 @@ class Search {
     for (std::size_t k = 0; k < a.size(); ++k) {
       // At the horizon Ω is held to what it is there, however slow.
       const double scale = k + 1 == a.size() ? b[k].omega.norm() : std::max(b[k].omega.norm(), kSlow * fastest);
-      const double off = (a[k].omega - b[k].omega).norm();
+      const bool rests = std::max(a[k].omega.norm(), b[k].omega.norm()) <= kRest * fastest;
+      const double off = rests ? 0 : (a[k].omega - b[k].omega).norm();
       worst = std::max({worst, angleBetween(a[k].attitude, b[k].attitude), off > 0 ? off / scale : 0.0});
     }
     return worst;

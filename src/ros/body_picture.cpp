@@ -455,6 +455,7 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
 
 void BodyPicture::clearTrail() {
   trail_.clear();
+  if (effects_) effects_->clearWay();
   path_.clear();
   path_jumped_ = true;
   path_shown_.reset();

@@ -22,10 +22,13 @@ constexpr double kOrbitBeyond = 0.3;
 constexpr double kPivotDiameter = 0.13;
 constexpr double kRodDiameter = 0.05;
 constexpr double kBeside = 0.16;  // of a symbol, from the tip of its arrow
+constexpr double kWayLength = 9;
+constexpr double kWaySpacing = 0.02;
+constexpr double kWayWidth = 0.022;
 
 // Ids within <body>/torque and <body>/gravity.
 enum TorqueId { kAtBody, kAtMomentum };
-enum GravityId { kPivot, kRod, kWeight, kToCentre };
+enum GravityId { kPivot, kRod, kWeight, kToCentre, kWay };
 
 bool exertsTorque(const Effect& effect) {
   return !std::holds_alternative<InternalDissipation>(effect);
@@ -41,7 +44,7 @@ Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direct
 }  // namespace
 
 EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Sizes& sizes)
-    : brush_(brush), sizes_(sizes) {
+    : brush_(brush), sizes_(sizes), way_(static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength, kWaySpacing) {
   for (const Effect& effect : motion.setup().effects) {
     torque_ = torque_ || exertsTorque(effect);
     if (const auto* weight = std::get_if<GravityTorque>(&effect)) weight_ = *weight;
@@ -76,8 +79,9 @@ void EffectMarkers::appendStatic(MarkerArray& out) const {
 }
 
 void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
-                                 MarkerArray& out) const {
+                                 MarkerArray& out) {
   if (torque_) appendTorque(state, torque_world, stage, out);
+  if (weight_ && !weight_->centre_of_mass.isZero(0)) appendWay(state, stage, out);
   const auto draw = [&](int id, LabelId symbol_id, const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                         double length, const char* symbol) {
     const Eigen::Vector3d tip = from + length * direction;
@@ -95,6 +99,19 @@ void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d
     draw(kToCentre, kOrbitSymbol, state.position, -orbit_->radialAt(state.time), sizes_.reach + kOrbitBeyond,
          "to the centre");
   }
+}
+
+void EffectMarkers::appendWay(const MotionState& state, Stage& stage, MarkerArray& out) {
+  const Eigen::Vector3d& centre = weight_->centre_of_mass;
+  way_.add(state.position + state.attitude * (centre + sizes_.shape_radius * centre.stableNormalized()));
+  const std::string ns = brush_.ns(names::kGravity);
+  if (way_.size() < 2) return stage.withdrawOne(ns, kWay, out);
+  Marker way = brush_.marker(ns, kWay, Marker::LINE_STRIP, names::kWorld);
+  way.points.reserve(way_.size());
+  for (std::size_t i = 0; i < way_.size(); ++i) way.points.push_back(toPoint(way_[i]));
+  way.scale.x = kWayWidth;
+  way.color = palette::path();
+  stage.put(way, out);
 }
 
 void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,

@@ -6,12 +6,14 @@
 #include "poinsot/core/motion.h"
 #include "poinsot/ros/brush.h"
 #include "poinsot/ros/simulation_clock.h"
+#include "poinsot/view/trail.h"
 
 namespace poinsot::node {
 
 /**
  * What shows a body's effects: the torque on it as an arrow from its origin, and once more at the tip of L, which moves
- * that way; its weight, with the pivot and the rod to its centre of mass; the way to the centre of its orbit.
+ * that way; its weight, with the pivot, the rod to its centre of mass, and the way that the far end of that rod's line
+ * has gone in the world, where a top draws its loops; the way to the centre of its orbit.
  *
  * A body has what its effects call for: an effect that is absent, or that only moves momentum about inside, has none.
  */
@@ -32,17 +34,22 @@ class EffectMarkers {
 
   /** @param torque_world the external one [N·m]. */
   void appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
-                    visualization_msgs::MarkerArray& out) const;
+                    visualization_msgs::MarkerArray& out);
+
+  /** Forgets the way gone: nobody looked, or the motion jumped. */
+  void clearWay() { way_.clear(); }
 
  private:
   void appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
                     visualization_msgs::MarkerArray& out) const;
+  void appendWay(const MotionState& state, Stage& stage, visualization_msgs::MarkerArray& out);
 
   Brush brush_;
   Sizes sizes_;
   bool torque_ = false;  ///< some effect exerts one
   std::optional<GravityTorque> weight_;
   std::optional<Torques::Gradient> orbit_;
+  view::Trail way_;  ///< of a heavy body's far end, world axes
 };
 
 }  // namespace poinsot::node

@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Takes one picture of each scene of scenes/ on a virtual screen, by demo.launch, into doc/scenes/NAME.png.
+#
+# Usage: scripts/scene_pictures.sh [--out DIR] [SCENE ...]
+#   --out DIR   where the pictures go (default: doc/scenes)
+#   SCENE       names of scenes in scenes/ (default: all)
+#
+# Exit: 0 all taken, 1 something failed, 2 bad use.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+out=$root/doc/scenes scenes=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --out) [ $# -ge 2 ] || bad_use "scene_pictures.sh: $1 needs a value"; out=$2; shift 2 ;;
+    -h | --help) usage; exit 0 ;;
+    -*) bad_use "scene_pictures.sh: unknown option '$1'; see scene_pictures.sh --help" ;;
+    *) [ -f "$root/scenes/$1.yaml" ] || bad_use "scene_pictures.sh: there is no scene $1"; scenes+=("$1"); shift ;;
+  esac
+done
+[ ${#scenes[@]} -gt 0 ] || mapfile -t scenes < <(cd "$root/scenes" && ls ./*.yaml | sed 's|^\./||; s|\.yaml$||')
+mkdir -p "$out"
+
+# at SCENE: the simulation time at which its picture tells most [s].
+at() {
+  case "$1" in
+    dzhanibekov) echo 7.9 ;;
+    explorer1) echo 19 ;;
+    gravity_gradient) echo 7 ;;
+    heavy_top_sleeping) echo 24 ;;
+    heavy_top_*) echo 12.6 ;;
+    separatrix) echo 21.7 ;;
+    symmetric_* | sphere | regimes | hundred) echo 5 ;;
+    t_handle) echo 14.2 ;;
+    tennis_racket) echo 4.3 ;;
+    thruster_despin) echo 18 ;;
+    tossed_book) echo 6 ;;
+    wingnut) echo 12.8 ;;
+    *) echo 12 ;;
+  esac
+}
+
+"$root/scripts/setup.sh"
+[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package; }
+enter_devel
+stay_on_loopback "$(free_port)"
+
+launch_pid= display_pid= log=$build/scene_pictures.log raw=$(mktemp --suffix=.png)
+end_launch() {
+  [ -n "$launch_pid" ] || return 0
+  kill -INT "$launch_pid" 2> /dev/null || true
+  wait "$launch_pid" 2> /dev/null || true
+  launch_pid=
+}
+finish() {
+  end_launch
+  [ -z "$display_pid" ] || kill "$display_pid" 2> /dev/null || true
+  rm -f "$raw"
+}
+trap finish EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+start_display 1600x900
+
+for scene in "${scenes[@]}"; do
+  say "$scene at t = $(at "$scene") s"
+  roslaunch poinsot demo.launch scene:="$scene" rviz_args:=--fullscreen > "$log" 2>&1 &
+  launch_pid=$!
+  up=no
+  for _ in $(seq 120); do
+    kill -0 "$launch_pid" 2> /dev/null || break
+    if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
+    sleep 0.5
+  done
+  [ $up = yes ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $scene; see $log"; }
+  sleep 3  # until it has drawn what it was sent
+  python3 "$root/scripts/show_until.py" "$(at "$scene")"
+  sleep 2
+  import -window root "$raw"
+  convert "$raw" -resize 960x540 -strip -define png:compression-level=9 -colors 255 "PNG8:$out/$scene.png"
+  end_launch
+done
