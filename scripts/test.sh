@@ -72,6 +72,7 @@ count_xml
 script sanitizers "$root/test/sanitizers/run.sh"
 script mutations "$root/test/mutations/run.py"
 script workspace "$root/test/workspace/test_workspace.sh"
+script instructions "$root/test/instructions/test_instructions.py" "$build/devel/lib/poinsot/instruction_probe"
 script work_precision "$root/test/scripts/test_work_precision.py" "$build/devel/lib/poinsot/work_precision"
 script scenes "$root/test/scripts/test_scenes.py" "$build/devel/lib/poinsot"
 script scripts "$root/test/scripts/test_scripts.sh"

@@ -214,14 +214,16 @@ MotionState Motion::describe(double t, const RotationState& principal, const Eig
   const Invariants invariants = invariantsOf(setup_.inertia.moments(), principal);
   out.momentum_world = invariants.momentum_world;
   out.kinetic_energy = invariants.kinetic_energy;
+  bool place_is_finite = true;
   if (setup_.translation) {
     out.position = setup_.translation->positionAt(t);
     out.velocity = setup_.translation->velocityAt(t);
+    place_is_finite = out.position.allFinite() && out.velocity.allFinite();
   }
   const bool rotation_is_finite = out.attitude.coeffs().allFinite() && out.omega_body.allFinite() &&
                                   out.omega_world.allFinite() && std::isfinite(out.kinetic_energy) &&
                                   std::isfinite(invariants.momentum_squared);
-  if (!rotation_is_finite || !out.position.allFinite() || !out.velocity.allFinite()) {
+  if (!rotation_is_finite || !place_is_finite) {
     throw std::range_error(std::string(rotation_is_finite ? "the position or velocity" : "the rotation") +
                            " has left the range of doubles");
   }

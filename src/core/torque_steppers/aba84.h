@@ -35,6 +35,7 @@ class Aba84 final : public TorqueStepper {
     }
     work += free_->advance(rotation, kA[0] * h, 1);
     state.rotation = rotation;
+    work.torques = kKicks;
     return work;
   }
 

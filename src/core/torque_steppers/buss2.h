@@ -35,7 +35,7 @@ class Buss2 final : public TorqueStepper {
       const Eigen::Vector3d rate = slug_rate + torques().slugAcceleration(foreseen, foreseen_slug);
       addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest, (0.5 * h) * rate);
     }
-    return {2, 1};
+    return {2, 1, 2};
   }
 };
 

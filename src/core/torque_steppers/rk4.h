@@ -30,7 +30,7 @@ class Rk4 final : public TorqueStepper {
       addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest,
                                       sixth * (k1.slug + 2.0 * (k2.slug + k3.slug) + k4.slug));
     }
-    return {4, 0};
+    return {4, 0, 4};
   }
 
  private:

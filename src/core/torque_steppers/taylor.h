@@ -48,7 +48,7 @@ class Taylor final : public TorqueStepper {
   void stepOrHalves(TorquedState& state, double t, double h, const Torques::Constant& constant, int halvings,
                     Work& work) const {
     taylor::Increment increment;
-    work += Work{order, 0};
+    work += Work{order, 0, order};
     if (kernel_(body_, start(state, t, constant), order, h, increment)) return add(increment, state);
     if (halvings > 0) {
       stepOrHalves(state, t, 0.5 * h, constant, halvings - 1, work);

@@ -1,0 +1,342 @@
+#include "poinsot/cost/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "poinsot/core/torque_stepper.h"
+#include "poinsot/cost/cpu_time.h"
+
+namespace poinsot::cost {
+namespace {
+
+constexpr int kRepetitions = 12;             // the fastest counts: whatever disturbs makes it slower
+constexpr int kStretches = 8;                // of the motion
+constexpr std::int64_t kStretch = 64;        // steps of a body under torques
+constexpr std::int64_t kFreeStretch = 1024;  // of a free one, that takes them in batches
+constexpr std::int64_t kSampledSteps = 16384;
+constexpr std::size_t kMostStates = 1024;  // in a stretch
+constexpr int kCalls = 256;                // to measure what takes no step
+constexpr double kLongRuns = 0.25;         // CPU s: not repeated any more
+
+/** Seconds of CPU. */
+template <class Use>
+double timeOf(Use use) {
+  const double begin = threadCpuTime();
+  use();
+  return std::max(threadCpuTime() - begin - clockCost(), 0.0);
+}
+
+/** Time to be undercut. */
+struct Fastest {
+  double time = std::numeric_limits<double>::infinity();
+  template <class Use>
+  void measure(Use use) {
+    time = std::min(time, timeOf(use));
+  }
+};
+
+/** Sums over all stretches: of the whole steps, and of the states beyond them. */
+struct Times {
+  double steps = 0, states = 0;
+};
+
+/** The effects of the given types; their places in Effect are counted as in effectTypes(), without translation. */
+std::vector<Effect> only(const std::vector<Effect>& effects, const std::set<std::size_t>& types) {
+  std::vector<Effect> out;
+  for (const Effect& effect : effects) {
+    if (types.count(effect.index())) out.push_back(effect);
+  }
+  return out;
+}
+
+std::set<std::size_t> typesIn(const std::vector<Effect>& effects) {
+  std::set<std::size_t> types;
+  for (const Effect& effect : effects) types.insert(effect.index());
+  return types;
+}
+
+[[maybe_unused]] volatile double sink = 0;
+
+/** A few stretches of one body's motion, to be gone through again and again. */
+class Stretches {
+ public:
+  Stretches(const MotionSetup& setup, double duration, double rate) : setup_(setup), step_(*setup.step) {
+    const std::int64_t most = setup.effects.empty() ? kFreeStretch : kStretch;
+    const auto steps = static_cast<std::int64_t>(std::clamp(duration / step_, 1.0, double{kSampledSteps}));
+    length_ = std::min(most, steps);
+    const std::int64_t count = std::clamp<std::int64_t>(steps / length_, 1, kStretches);
+    Motion motion(setup);
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t first = count == 1 ? 0 : i * (steps - length_) / (count - 1);
+      sink = motion.at(timeOfStep(first)).time;
+      starts_.push_back({first, motion, {}, looks(first, rate)});
+    }
+    if (!setup.effects.empty()) findTorquedStates();
+  }
+
+  /** Of all stretches together. */
+  double steps() const { return static_cast<double>(length_) * static_cast<double>(starts_.size()); }
+  double states() const {
+    double sum = 0;
+    for (const Start& start : starts_) sum += static_cast<double>(start.looks.size());
+    return sum;
+  }
+
+  /** The motion itself. */
+  Times ofMotion() const {
+    Times sum;
+    for (const Start& start : starts_) {
+      const auto fresh = [&] {
+        Motion motion = start.motion;
+        sink = motion.at(timeOfStep(start.first)).time;
+        return motion;
+      };
+      Fastest steps, states;
+      for (int r = 0; r < kRepetitions; ++r) {
+        Motion motion = fresh();
+        steps.measure([&] { sink = motion.at(timeOfStep(start.first + length_)).time; });
+        motion = fresh();
+        states.measure([&] {
+          for (const Look& look : start.looks) sink = motion.at(timeOfStep(start.first + look.step) + look.rest).time;
+        });
+      }
+      add(start, steps, states, sum);
+    }
+    return sum;
+  }
+
+  /** Steps and torques alone, for each choice among the effects, in turn so that whatever disturbs disturbs all. */
+  std::vector<Times> underTorques(const std::vector<std::set<std::size_t>>& choices) const {
+    std::vector<std::unique_ptr<TorqueStepper>> steppers;
+    for (const auto& types : choices) steppers.push_back(stepper(only(setup_.effects, types)));
+    std::vector<Times> sums(choices.size());
+    for (const Start& start : starts_) {
+      std::vector<Fastest> steps(choices.size()), states(choices.size());
+      for (int r = 0; r < kRepetitions; ++r) {
+        for (std::size_t k = 0; k < choices.size(); ++k) {
+          steps[k].measure([&] { takeSteps(*steppers[k], start); });
+          states[k].measure([&] { takeLooks(*steppers[k], start); });
+        }
+      }
+      for (std::size_t k = 0; k < choices.size(); ++k) add(start, steps[k], states[k], sums[k]);
+    }
+    return sums;
+  }
+
+  /** Evaluations of the torque by whole steps, and by partial steps and states. */
+  std::pair<double, double> evaluations() const {
+    const std::unique_ptr<TorqueStepper> all = stepper(setup_.effects);
+    std::pair<double, double> sum(0, 0);
+    for (const Start& start : starts_) {
+      sum.first += static_cast<double>(takeSteps(*all, start).torques);
+      sum.second += static_cast<double>(takeLooks(*all, start).torques);
+    }
+    return sum;
+  }
+
+ private:
+  /** Where a state is asked for. */
+  struct Look {
+    std::int64_t step;  ///< of the stretch
+    double rest;        ///< beyond it [s]
+  };
+  struct Start {
+    std::int64_t first;  ///< step
+    Motion motion;       ///< has come there
+    TorquedState state;
+    std::vector<Look> looks;
+  };
+
+  double timeOfStep(std::int64_t n) const { return static_cast<double>(n) * step_; }
+
+  /** As ticks lie in the grid; where steps are many to a tick, those in between are left out, all but one. */
+  std::vector<Look> looks(std::int64_t first, double rate) const {
+    const auto place = [this](double t) {
+      const double n = std::floor(t / step_);
+      return Look{static_cast<std::int64_t>(n), std::max(0.0, std::fma(-n, step_, t))};
+    };
+    std::vector<Look> out;
+    if (step_ * rate > 1) {
+      for (double k = std::floor(timeOfStep(first) * rate) + 1; out.size() < kMostStates; ++k) {
+        Look look = place(k / rate);
+        look.step = std::max<std::int64_t>(look.step - first, 0);
+        if (look.step >= length_) break;
+        out.push_back(look);
+      }
+    } else {
+      for (std::int64_t i = 1; i <= length_; ++i) out.push_back({i, place(static_cast<double>(i) / rate).rest});
+    }
+    return out;
+  }
+
+  void add(const Start& start, const Fastest& steps, const Fastest& states, Times& sum) const {
+    const double stepped = static_cast<double>(start.looks.back().step) / static_cast<double>(length_);
+    sum.steps += steps.time;
+    sum.states += states.time - stepped * steps.time;
+  }
+
+  std::unique_ptr<TorqueStepper> stepper(const std::vector<Effect>& effects) const {
+    return findTorqueMethod(setup_.method)->make(sumOf(setup_.inertia, effects));
+  }
+
+  void findTorquedStates() {
+    const std::shared_ptr<TorqueStepper> all = stepper(setup_.effects);
+    const Eigen::Vector3d omega = setup_.inertia.axes().conjugate() * setup_.omega_body;
+    TorquedState state;
+    state.rotation =
+        RotationState::fromOmega(setup_.inertia.moments(), setup_.attitude.normalized() * setup_.inertia.axes(), omega);
+    if (all->torques().slug()) state.slug_omega = omega;
+    TorquedTrajectory trajectory({all}, state, step_);
+    for (Start& start : starts_) start.state = trajectory.at(start.first);
+  }
+
+  Work takeSteps(const TorqueStepper& stepper, const Start& start) const {
+    TorquedState state = start.state;
+    Work work;
+    for (std::int64_t i = 0; i < length_; ++i) work += stepper.advance(state, timeOfStep(start.first + i), step_);
+    sink = state.rotation.attitude.w();
+    return work;
+  }
+
+  /** What Motion does to have states, as far as it depends on torques. @return without the whole steps. */
+  Work takeLooks(const TorqueStepper& stepper, const Start& start) const {
+    const Torques& torques = stepper.torques();
+    TorquedState state = start.state;
+    Work work;
+    std::int64_t i = 0;
+    for (const Look& look : start.looks) {
+      for (; i < look.step; ++i) stepper.advance(state, timeOfStep(start.first + i), step_);
+      TorquedState there = state;
+      const double begin = timeOfStep(start.first + i), t = begin + look.rest;
+      if (look.rest > 0) work += stepper.advance(there, begin, look.rest);
+      const Eigen::Vector3d omega = there.rotation.omegaBody(torques.moments());
+      const Torques::Constant& constant = torques.constant(torques.intervalAt(t));
+      sink = torques.at(t, constant, there.rotation.attitude, omega, there.slug_omega).x();
+      ++work.torques;
+    }
+    return work;
+  }
+
+  MotionSetup setup_;
+  double step_;
+  std::int64_t length_;
+  std::vector<Start> starts_;
+};
+
+/** Of a state with translation less one without, at a time that takes no step. */
+double translationTime(const MotionSetup& setup) {
+  MotionSetup without = setup;
+  without.translation.reset();
+  Motion motions[2] = {Motion(setup), Motion(without)};
+  Fastest times[2];
+  for (int r = 0; r < 2 * kRepetitions; ++r) {
+    for (int k = 0; k < 2; ++k) {
+      times[k].measure([&] {
+        for (int i = 0; i < kCalls; ++i) sink = motions[k].at(0).position.x();
+      });
+    }
+  }
+  return (times[0].time - times[1].time) / kCalls;
+}
+
+/** All states over the duration [CPU s per simulated s]. */
+double runTime(const MotionSetup& setup, double duration, double rate) {
+  const auto ticks = static_cast<std::int64_t>(std::max(1.0, std::ceil(duration * rate * (1 - 1e-12))));
+  const Motion start(setup);
+  Fastest fastest;
+  double spent = 0;
+  for (int r = 0; r < kRepetitions && spent < kLongRuns; ++r) {
+    Motion motion = start;
+    const double time = timeOf([&] {
+      for (std::int64_t k = 1; k <= ticks; ++k) sink = motion.at(static_cast<double>(k) / rate).time;
+    });
+    fastest.time = std::min(fastest.time, time);
+    spent += time;
+  }
+  return fastest.time * rate / static_cast<double>(ticks);
+}
+
+/** Part of each type of torque, by its place in Effect. */
+void findShares(const MotionSetup& setup, const Stretches& stretches, std::vector<Ledger::Part>& parts) {
+  const std::set<std::size_t> present = typesIn(setup.effects);
+  const std::vector<std::size_t> types(present.begin(), present.end());
+  // None, the first, the first two, … all; then all but the first, all but the first two, … the last.
+  std::vector<std::set<std::size_t>> choices;
+  for (std::size_t k = 0; k <= types.size(); ++k) choices.emplace_back(types.begin(), types.begin() + k);
+  for (std::size_t k = 1; k < types.size(); ++k) choices.emplace_back(types.begin() + k, types.end());
+  const std::vector<Times> times = stretches.underTorques(choices);
+
+  const std::size_t all = types.size();
+  const auto firstFew = [&](std::size_t k) { return times[k]; };
+  const auto withoutFirst = [&](std::size_t k) { return k == 0 ? times[all] : k == all ? times[0] : times[all + k]; };
+  for (std::size_t k = 0; k < all; ++k) {
+    const auto mean = [&](double Times::*what) {
+      return 0.5 * (firstFew(k + 1).*what - firstFew(k).*what + withoutFirst(k).*what - withoutFirst(k + 1).*what);
+    };
+    Ledger::Part& part = parts[2 + types[k]];  // after free motion and translation
+    part.in_force = true;
+    part.per_step = mean(&Times::steps) / stretches.steps();
+    part.per_state = mean(&Times::states) / stretches.states();
+  }
+}
+
+template <class... Types>
+std::vector<std::string> namesOf(const std::variant<Types...>*) {
+  return {Translation::kName, Types::kName...};
+}
+
+}  // namespace
+
+const std::vector<std::string>& effectTypes() {
+  static const std::vector<std::string> names = namesOf(static_cast<const Effect*>(nullptr));
+  return names;
+}
+
+double Ledger::perStep() const {
+  double sum = 0;
+  for (const Part& part : parts) sum += part.per_step;
+  return sum;
+}
+
+double Ledger::perState() const {
+  double sum = 0;
+  for (const Part& part : parts) sum += part.per_state;
+  return sum;
+}
+
+Ledger measureLedger(const MotionSetup& setup, double duration, double rate) {
+  Ledger out;
+  out.states = rate;
+  out.parts.push_back({"free_motion", true});
+  for (const std::string& name : effectTypes()) out.parts.push_back({name, false});
+  runTime(setup, std::min(duration, 16 / rate), rate);  // warms caches
+  out.run = runTime(setup, duration, rate);
+  double per_step = 0, per_state = out.run / rate;
+  if (setup.step) {
+    out.steps = 1 / *setup.step;
+    const Stretches stretches(setup, duration, rate);
+    const Times times = stretches.ofMotion();
+    per_step = times.steps / stretches.steps();
+    per_state = times.states / stretches.states();
+    if (!setup.effects.empty()) {
+      findShares(setup, stretches, out.parts);
+      const auto [whole, others] = stretches.evaluations();
+      out.torque_evaluations = whole / stretches.steps() * out.steps + others / stretches.states() * rate;
+    }
+  }
+  if (setup.translation) {
+    out.parts[1].in_force = true;
+    out.parts[1].per_state = translationTime(setup);
+  }
+  out.parts[0].per_step = per_step - out.perStep();  // what no effect is the cause of
+  out.parts[0].per_state = per_state - out.perState();
+  return out;
+}
+
+}  // namespace poinsot::cost
