@@ -67,7 +67,7 @@ double uncertainty(const Segment& segment, const State& a, double duration, cons
     rounding += 1e-15 * (a.momentum_world.norm() + inertia.moments[2] * start.omega.norm()) / (j * speed);
   }
   const double own = std::min(substeps * kFineError, std::pow(rate * std::abs(duration), 5) / 30);
-  const double method = segment.bounds->known() ? steps * segment.bounds->local() : 1e-3 * rate * std::abs(duration);
+  const double method = segment.bounds->known() ? steps * segment.bounds->local() : 1e-3 * speed * std::abs(duration);
   return rounding + own + method;
 }
 
@@ -94,8 +94,11 @@ class Driven {
     for (const Segment& segment : segments_) {
       has_slug = has_slug || segment.body->effects().slug;
       if (!segment.bounds->known() && notes_++ == 0) {
-        rotation_.note("method \"" + segment.bounds->method() +
-                       "\" at this step is not known here, or too coarse; 1e-3 of the turn was allowed for it");
+        const DrivenBounds& bounds = *segment.bounds;
+        rotation_.note("method \"" + bounds.method() + "\"" +
+                       (bounds.tooCoarse() ? text(" at step %g s is too coarse to be held to a bound", bounds.step())
+                                           : " is not known here") +
+                       "; 1e-3 of the turn was allowed for it");
       }
       for (std::size_t i = 0; i + 1 < segment.states.size(); ++i) judgePair(segment, i);
       judgeFar(segment);

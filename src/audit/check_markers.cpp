@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kDrawn = 1e-9;  // relative: doubles all the way, squared and added
 constexpr double kPolhode = 1e-6;
+constexpr double kTooSmall = 0.01;  // m: ellipsoids of a body that nearly rests need not be there
 constexpr double kMostLift = 1.05;  // of a polhode above the surface it would otherwise sink into
 
 using Frames = const Transforms&;
@@ -185,11 +186,12 @@ class Picture {
     }
     for (const State& s : body_.states) {
       if (!s.flaw.empty() || s.omega_body.norm() == 0) continue;
-      if (!moving.empty() && !moving.count(s.stamp) && s.stamp > moving.begin()->first &&
-          s.stamp < moving.rbegin()->first) {
+      const double scale = descriptionOf(s).metres_per_radian_per_second;
+      if (!moving.empty() && !moving.count(s.stamp) && scale * inertiaOf(s).fastestRate(s.omega_body) > kTooSmall &&
+          s.stamp > moving.begin()->first && s.stamp < moving.rbegin()->first) {
         ++missing;
       }
-      const Expected expected{inertiaOf(s), s, descriptionOf(s).metres_per_radian_per_second};
+      const Expected expected{inertiaOf(s), s, scale};
       double best = std::numeric_limits<double>::infinity();
       std::optional<Ellipsoid> found;
       bool sphere = true;

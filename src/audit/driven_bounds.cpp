@@ -8,6 +8,7 @@ namespace poinsot::audit {
 namespace {
 
 constexpr double kLocal = 2;        // C of C r^(p+1), r as in pace()
+constexpr double kKicks = 0.2;      // of aba84's s² (Wh)⁵
 constexpr double kSafety = 4;       // on what a Taylor series leaves out
 constexpr double kHalvedAt = 1e-2;  // Taylor methods halve steps whose last two terms are larger
 constexpr int kMostLooks = 500;     // at a motion's Taylor series
@@ -68,7 +69,7 @@ DrivenBounds::DrivenBounds(const Description& description, const DrivenBody& bod
       // Kicks of relative strength s: O(s h⁸ + s² h⁴), and the free motion between them of order 8.
       const double speed = body.speed(t, p);
       const double strength = speed > 0 ? body.torqueScale(t, p) / (body.inertia().moments[0] * speed * speed) : 0;
-      error = kLocal * (std::pow(pace(terms), 9) + strength * strength * std::pow(body.rate(t, p) * step_, 5));
+      error = kLocal * std::pow(pace(terms), 9) + kKicks * strength * strength * std::pow(body.rate(t, p) * step_, 5);
     } else {
       error = kLocal * std::pow(pace(terms), low + 1);
     }
@@ -76,6 +77,7 @@ DrivenBounds::DrivenBounds(const Description& description, const DrivenBody& bod
   }
   taken_ = step_ * largest_shrink;
   known_ = local_ < kTooVague;
+  too_coarse_ = !known_;
 }
 
 double DrivenBounds::steps(double duration) const {

@@ -19,6 +19,8 @@ class DrivenBounds {
 
   /** False for a method that the audit has no bound for, and for one whose steps are too long to say anything. */
   bool known() const { return known_; }
+  /** The latter. */
+  bool tooCoarse() const { return too_coarse_; }
   /** Of one step: attitude [rad], Ω and σ relative to speed(). */
   double local() const { return local_; }
   /** Steps begun within a duration, of those that the method takes where it halves them; two may be partial. */
@@ -34,7 +36,7 @@ class DrivenBounds {
  private:
   std::string method_;
   double step_, taken_;
-  bool known_ = false;
+  bool known_ = false, too_coarse_ = false;
   double local_ = 0;
 };
 
