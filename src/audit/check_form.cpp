@@ -65,6 +65,21 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   checks.push_back(segments.verdict());
 }
 
+/** Effects that can be read, and a method for such a body. */
+void judgeEffects(const Evidence& evidence, std::vector<Check>& checks) {
+  Judge judge("effects", evidence.body.key);
+  for (const Description& d : evidence.body.descriptions) {
+    const double at = seconds(d.stamp);
+    judge.compare(d.forces.problem.empty() ? 0 : 1, 0, at, [&] { return d.forces.problem; });
+    const bool needs_torques = d.method.rfind("taylor", 0) == 0 || d.method == "aba84";
+    judge.compare(d.isFree() && needs_torques ? 1 : 0, 0, at,
+                  [&] { return "method " + d.method + " moves bodies under torques, and the description names none"; });
+    judge.compare(!d.isFree() && d.method == "closed_form" ? 1 : 0, 0, at,
+                  [] { return "the closed form is a free body's motion, and the description names torques"; });
+  }
+  checks.push_back(judge.verdict());
+}
+
 }  // namespace
 
 void judgeForm(const Evidence& evidence, std::vector<Check>& checks) {
@@ -96,6 +111,7 @@ void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
                   [] { return "inertia_tensor has a moment that is not positive"; });
   }
   checks.push_back(judge.verdict());
+  if (!evidence.body.descriptions.empty()) judgeEffects(evidence, checks);
 }
 
 void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
@@ -123,21 +139,24 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
                                                                : inverse ? " (R looks inverted)"
                                                                          : "");
     });
-    momentum.compare(
-        (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {
-          const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
-          const bool world = (s.momentum_world - inertia.tensor * s.omega_world).norm() < 1e-9 * l_scale;
-          return text("momentum_world is not R M omega_body%s; its length is %.6g times |M omega_body|",
-                      body_axes ? " (it is in body axes)"
-                      : world   ? " (it is M omega_world)"
-                                : "",
-                      s.momentum_world.norm() / l_scale);
-        });
+    // With a slug inside it is that of both: judgeDriven asks for it.
+    const bool slug = description->forces.slug.has_value();
+    if (!slug)
+      momentum.compare(
+          (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {
+            const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
+            const bool world = (s.momentum_world - inertia.tensor * s.omega_world).norm() < 1e-9 * l_scale;
+            return text("momentum_world is not R M omega_body%s; its length is %.6g times |M omega_body|",
+                        body_axes ? " (it is in body axes)"
+                        : world   ? " (it is M omega_world)"
+                                  : "",
+                        s.momentum_world.norm() / l_scale);
+          });
     energy.compare(std::abs(s.kinetic_energy - e) / e_scale, kFields * inertia.conditionOfEnergy(s.omega_body), at,
                    [&] { return text("kinetic_energy is %.3f times ½ΩᵀMΩ", s.kinetic_energy / e_scale); });
   }
   checks.push_back(omega.verdict());
-  checks.push_back(momentum.verdict());
+  if (momentum.count() > 0) checks.push_back(momentum.verdict());
   checks.push_back(energy.verdict());
 }
 

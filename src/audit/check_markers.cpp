@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kDrawn = 1e-9;  // relative: doubles all the way, squared and added
 constexpr double kPolhode = 1e-6;
+constexpr double kTooSmall = 0.01;  // m: ellipsoids of a body that nearly rests need not be there
 constexpr double kMostLift = 1.05;  // of a polhode above the surface it would otherwise sink into
 
 using Frames = const Transforms&;
@@ -95,6 +96,8 @@ class Picture {
       : evidence_(evidence),
         body_(evidence.body),
         name_(name),
+        free_(std::all_of(body_.descriptions.begin(), body_.descriptions.end(),
+                          [](const Description& d) { return d.isFree(); })),
         omega_(drawingsOf(body_, name_ + "/omega")),
         polhode_(drawingsOf(body_, name_ + "/polhode")) {
     split(drawingsOf(body_, name_ + "/energy_ellipsoid"), energy_, moving_energy_);
@@ -126,13 +129,13 @@ class Picture {
     }
   }
 
-  /** The ellipsoids that hold at a stamp: those sent with it, else those that do not change. */
+  /** The ellipsoids that hold at a stamp: those sent with it, else those that do not change; under torques all do. */
   std::vector<const Drawing*> at(Stamp stamp, Shows shows) const {
     const Moving& moving = shows == Shows::energy ? moving_energy_ : moving_momentum_;
     const auto [begin, end] = moving.equal_range(stamp);
     std::vector<const Drawing*> found;
     for (auto it = begin; it != end; ++it) found.push_back(it->second);
-    return found.empty() ? (shows == Shows::energy ? energy_ : momentum_) : found;
+    return found.empty() && free_ ? (shows == Shows::energy ? energy_ : momentum_) : found;
   }
 
   std::string label(const char* what) const { return std::string(what) + " (" + name_ + ")"; }
@@ -160,6 +163,7 @@ class Picture {
 
   /** What the method allows the motion to have left the ellipsoids by, relatively, of E or |L|². */
   double allowed(Shows shows, const State& s) {
+    if (!free_) return 0;  // drawn from the state itself, ever anew
     const Inertia& inertia = inertiaOf(s);
     const MethodBounds bounds(descriptionOf(s));
     const double drift = shows == Shows::energy ? bounds.energy(inertia, s.omega_body, s.time)
@@ -175,9 +179,19 @@ class Picture {
     judge.ifNothing(std::string("no ") + (energy ? "energy_ellipsoid" : "momentum_ellipsoid") +
                     " marker to compare with");
     const std::string frame = bodyFrame();
+    const Moving& moving = energy ? moving_energy_ : moving_momentum_;
+    std::int64_t missing = 0;
+    if (!free_ && !(energy ? energy_ : momentum_).empty()) {
+      judge.fail(0, "an ellipsoid that does not change, of a body whose energy and momentum do");
+    }
     for (const State& s : body_.states) {
       if (!s.flaw.empty() || s.omega_body.norm() == 0) continue;
-      const Expected expected{inertiaOf(s), s, descriptionOf(s).metres_per_radian_per_second};
+      const double scale = descriptionOf(s).metres_per_radian_per_second;
+      if (!moving.empty() && !moving.count(s.stamp) && scale * inertiaOf(s).fastestRate(s.omega_body) > kTooSmall &&
+          s.stamp > moving.begin()->first && s.stamp < moving.rbegin()->first) {
+        ++missing;
+      }
+      const Expected expected{inertiaOf(s), s, scale};
       double best = std::numeric_limits<double>::infinity();
       std::optional<Ellipsoid> found;
       bool sphere = true;
@@ -198,6 +212,9 @@ class Picture {
       judge.compare(best, kDrawn + 1e-15 * condition + allowed(shows, s), seconds(s.stamp),
                     [&] { return wrongSize(shows, *found, expected); });
       if (!sphere) judge.fail(seconds(s.stamp), "the ellipsoid is no SPHERE marker");
+    }
+    if (!free_ && static_cast<double>(missing) > evidence_.options.losses * static_cast<double>(body_.states.size())) {
+      judge.fail(0, text("%lld states in between have no ellipsoid", static_cast<long long>(missing)));
     }
     checks.push_back(judge.verdict());
   }
@@ -346,6 +363,7 @@ class Picture {
   const Evidence& evidence_;
   const Body& body_;
   std::string name_;
+  bool free_;
   std::vector<const Drawing*> omega_, polhode_, energy_, momentum_;
   Moving moving_energy_, moving_momentum_;
   std::multimap<Stamp, const State*> states_;

@@ -4,21 +4,12 @@
 #include "poinsot/audit/checks.h"
 #include "poinsot/audit/free_motion.h"
 #include "poinsot/audit/method_bounds.h"
+#include "turns.h"
 
 namespace poinsot::audit {
 namespace {
 
-constexpr double kStampRounding = 2e-9;  // s: two stamps, each rounded to 1 ns
-constexpr double kTooVague = 0.05;       // rad: a bound above this judges nothing
-
-/** Two consecutive states of one segment, and what lies between them. */
-struct Interval {
-  const State& a;
-  const State& b;
-  double stamps;    ///< [s]
-  double duration;  ///< time_rate · stamps: simulation time, as the stream says
-  double rounding;  ///< of that [s]
-};
+constexpr double kTooVague = 0.05;  // rad: a bound above this judges nothing
 
 /** Calls `visit(i, interval)` for every pair that belongs together. */
 template <typename Visit>
@@ -29,39 +20,6 @@ void forIntervals(const Body& body, const Visit& visit) {
     const double stamps = seconds(b.stamp - a.stamp);
     visit(i, Interval{a, b, stamps, a.time_rate * stamps, std::abs(a.time_rate) * kStampRounding});
   }
-}
-
-/** The audit's idea of the turn from a to b as a rotation vector in the axes of a, and how far to trust it. */
-struct Turn {
-  Eigen::Vector3d theta;
-  double error;  ///< [rad]
-};
-
-void compareTurn(Judge& judge, const Interval& v, const Turn& turn, double allowance) {
-  const double rate = v.a.omega_body.norm();
-  const double bound = turn.error + allowance + rate * v.rounding + 4e-15;
-  const Eigen::Quaterniond expected = v.a.attitude * rotationBy(turn.theta);
-  judge.compare(angleBetween(expected, v.b.attitude), bound, seconds(v.b.stamp), [&]() -> std::string {
-    const Eigen::Vector3d actual = rotationVector(v.a.attitude.conjugate() * v.b.attitude);
-    const double wanted = turn.theta.squaredNorm();
-    if (v.duration == 0) {
-      return text("time stands still (time_rate %g) but R turns by %.3g rad between two messages", v.a.time_rate,
-                  actual.norm());
-    }
-    const double ratio = actual.dot(turn.theta) / wanted;
-    if ((actual - ratio * turn.theta).norm() < 0.05 * std::abs(ratio - 1) * std::sqrt(wanted)) {
-      return text("R turns %.4f times as far as time_rate·Ω says (%.6g rad in %.6g s of stamp)", ratio, actual.norm(),
-                  v.stamps);
-    }
-    const double missed = (actual - turn.theta).norm();
-    const Eigen::Vector3d from_world = v.a.attitude.conjugate() * turn.theta;
-    if ((actual - from_world).norm() < 0.1 * missed) return "omega_body looks like the angular velocity in world axes";
-    const Eigen::Vector3d inverse = rotationVector(v.a.attitude * v.b.attitude.conjugate());
-    if ((inverse - turn.theta).norm() < 0.1 * missed)
-      return "the attitude looks inverted: world to body, not body to world";
-    return text("R turns by %.6g rad in %.6g s of stamp, time_rate·Ω says %.6g rad; they differ by %.3g rad",
-                actual.norm(), v.stamps, std::sqrt(wanted), missed);
-  });
 }
 
 void judgeTime(const Evidence& evidence, std::vector<Check>& checks) {
@@ -168,7 +126,8 @@ Eigen::Vector3d turnThrough(const std::vector<const State*>& nodes, double from,
   return rotationVector(q);
 }
 
-/** With torques only kinematics can be asked: R against the integral of Ω interpolated between messages. */
+/** Where effects cannot be read only kinematics can be asked: R against the integral of Ω interpolated between
+ * messages. */
 void judgeDrivenRotation(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge judge("dR/dstamp = time_rate R hat(omega)", body.key, "rad");
@@ -262,6 +221,21 @@ void judgePosition(const Evidence& evidence, std::vector<Check>& checks) {
       }
       continue;
     }
+    if (const auto& t = body.descriptionAt(states.back()->stamp)->forces.translation) {
+      for (const State* s : states) {
+        const Eigen::Vector3d p = t->position + s->time * (t->velocity + 0.5 * s->time * t->acceleration);
+        const Eigen::Vector3d v = t->velocity + s->time * t->acceleration;
+        const double far = std::abs(s->time), speed = t->velocity.norm() + far * t->acceleration.norm();
+        judge.compare((s->position - p).norm(), 1e-14 * (t->position.norm() + far * speed), seconds(s->stamp), [&] {
+          return text("position is not what the description's translation says; they differ by %.3g m",
+                      (s->position - p).norm());
+        });
+        judge.compare((s->velocity - v).norm(), 1e-14 * speed, seconds(s->stamp), [&] {
+          return text("velocity is not what the description's translation says; they differ by %.3g m/s",
+                      (s->velocity - v).norm());
+        });
+      }
+    }
     const auto earlier = [](const State* a, const State* b) { return a->time < b->time; };
     const State* first = *std::min_element(states.begin(), states.end(), earlier);
     const State* last = *std::max_element(states.begin(), states.end(), earlier);
@@ -314,6 +288,8 @@ void judgeMotion(const Evidence& evidence, std::vector<Check>& checks) {
       std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
   if (free) {
     judgeFreeRotation(evidence, checks);
+  } else if (evidence.body.effectsAreRead()) {
+    judgeDriven(evidence, checks);
   } else {
     judgeDrivenRotation(evidence, checks);
   }

@@ -119,6 +119,7 @@ Description read(const poinsot::BodyDescription& message) {
   d.method = message.method;
   d.step = message.step;
   d.effects = message.effects;
+  d.forces = readEffects(d.effects);
   d.metres_per_radian_per_second = message.metres_per_radian_per_second;
   return d;
 }
@@ -169,6 +170,11 @@ bool Description::hasEffect(const std::string& type) const {
 
 bool Description::isFree() const {
   return effects.empty() || (effects.size() == 1 && hasEffect("translation"));
+}
+
+bool Body::effectsAreRead() const {
+  return std::all_of(descriptions.begin(), descriptions.end(),
+                     [](const Description& d) { return d.forces.problem.empty(); });
 }
 
 const Description* Body::descriptionAt(Stamp stamp) const {

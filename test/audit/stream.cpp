@@ -103,6 +103,50 @@ Truth anyBody(const Matrix3d& tensor, const Quaterniond& attitude, const Vector3
   };
 }
 
+Truth drivenBody(const Matrix3d& tensor, const Quaterniond& attitude, const Vector3d& omega_body, const Driven& driven,
+                 double step) {
+  using Now = Eigen::Matrix<double, 10, 1>;  // q as x y z w, Ω, σ
+  const auto time = std::make_shared<double>(0);
+  const auto now = std::make_shared<Now>();
+  *now << attitude.coeffs(), omega_body, driven.slug_at_rest ? Vector3d(0, 0, 0) : omega_body;
+  const Matrix3d inverse = tensor.inverse();
+  const auto momentOf = [](const Now& x) {
+    return Moment{Quaterniond(x.head<4>()).normalized(), x.segment<3>(4), x.tail<3>()};
+  };
+  const auto rate = [=](double t, const Now& x) {
+    const Moment m = momentOf(x);
+    const Vector3d &w = m.omega_body, &s = m.slug_omega;
+    const Vector3d drag = driven.slug_damping * (w - s);
+    Vector3d slug = Vector3d::Zero();
+    if (driven.slug_inertia > 0) slug = drag / driven.slug_inertia;
+    if (driven.slug_inertia > 0 && driven.slug_turned) slug -= w.cross(s);
+    Now out;
+    out << 0.5 * (Quaterniond(x.head<4>()) * Quaterniond(0, w.x(), w.y(), w.z())).coeffs(),
+        inverse * ((tensor * w).cross(w) + driven.torque(t, m) - drag), slug;
+    return out;
+  };
+  return [=](double t) {
+    while (*time < t) {
+      double end = t;
+      for (const double s : driven.switches) {
+        if (s > *time) end = std::min(end, s);
+      }
+      const int steps = static_cast<int>(std::ceil((end - *time) / step));
+      const double h = (end - *time) / steps;
+      for (int i = 0; i < steps; ++i) {
+        // Within the step, and not at its ends, is what acts there.
+        const double a = *time + i * h, inside = 1e-9 * h;
+        const Now k1 = rate(a + inside, *now), k2 = rate(a + 0.5 * h, *now + 0.5 * h * k1);
+        const Now k3 = rate(a + 0.5 * h, *now + 0.5 * h * k2), k4 = rate(a + h - inside, *now + h * k3);
+        *now += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        now->head<4>().normalize();
+      }
+      *time = end;
+    }
+    return momentOf(*now);
+  };
+}
+
 Truth lieEuler(const Vector3d& moments, const Quaterniond& attitude, const Vector3d& omega_body, double step) {
   return [=](double t) {
     Quaterniond q = attitude;
@@ -133,6 +177,13 @@ Matrix3d BodySetup::tensor() const {
   const Matrix3d p = axes.toRotationMatrix();
   const Matrix3d m = p * moments.asDiagonal() * p.transpose();
   return 0.5 * (m + m.transpose());
+}
+
+bool Stream::driven() const {
+  for (const std::string& effect : setup.effects) {
+    if (effect.rfind("translation", 0) != 0) return true;
+  }
+  return false;
 }
 
 Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& ticks) : setup(s) {
@@ -173,7 +224,9 @@ Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& 
     state.segment = tick.segment;
     state.attitude = wxyz(now.attitude);
     const Vector3d position = s.velocity * t + 0.5 * t * t * s.acceleration, velocity = s.velocity + t * s.acceleration;
-    const Vector3d l = now.attitude * (tensor * now.omega_body), omega_world = now.attitude * now.omega_body;
+    const Vector3d body_l = tensor * now.omega_body;
+    const Vector3d l = now.attitude * (body_l + s.slug_inertia * now.slug_omega),
+                   omega_world = now.attitude * now.omega_body;
     const double e = 0.5 * now.omega_body.dot(tensor * now.omega_body);
     if (i == 0 || tick.segment != ticks[i - 1].segment) {
       e0 = e;
@@ -187,7 +240,7 @@ Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& 
     state.kinetic_energy = e;
     state.energy_drift = e0 > 0 ? (e - e0) / e0 : 0;
     state.momentum_drift = e0 > 0 ? (l - l0).norm() / l0.norm() : 0;
-    state.attitude_error = s.attitude_error;
+    state.attitude_error = driven() ? NAN : s.attitude_error;
     states.push_back(state);
 
     nav_msgs::Odometry odom;
@@ -210,9 +263,22 @@ Stream::Stream(const BodySetup& s, const Truth& truth, const std::vector<Tick>& 
     Marker point = marker(s.body + "/model/omega", model, Marker::SPHERE, stamp);
     point.pose.position = xyz<geometry_msgs::Point>(s.scale * now.omega_body);
     moving.markers = {arrow, point};
+    for (const std::string picture : {"space", "model"}) {
+      if (!driven()) continue;
+      const std::string where = picture == "space" ? turning : model, ns = s.body + "/" + picture + "/";
+      Marker energy = marker(ns + "energy_ellipsoid", where, Marker::SPHERE, stamp);
+      energy.pose.orientation = wxyz(s.axes);
+      energy.scale = xyz<geometry_msgs::Vector3>(2 * s.scale * (2 * e / s.moments.array()).sqrt());
+      Marker momentum = marker(ns + "momentum_ellipsoid", where, Marker::SPHERE, stamp);
+      momentum.pose.orientation = wxyz(s.axes);
+      momentum.scale = xyz<geometry_msgs::Vector3>(2 * s.scale * body_l.norm() * s.moments.cwiseInverse());
+      moving.markers.push_back(energy);
+      moving.markers.push_back(momentum);
+    }
     markers.push_back(moving);
   }
 
+  if (driven()) return;
   // The polhode is where the true motion leads the point of the model picture.
   const Truth exact = anyBody(tensor, start.attitude, start.omega_body);
   std::vector<geometry_msgs::Point> polhode;

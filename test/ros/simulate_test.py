@@ -89,6 +89,42 @@ class SimulateTest(unittest.TestCase):
                 code, text = self.check_bag(path)
                 self.assertEqual(code, 0, text)
 
+    def test_bodies_under_torques_pass_the_audit_and_wrong_torques_do_not(self):
+        path = os.path.join(self.directory, "torques.bag")
+        scene = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes", "torques.yaml")
+        code, out, err = self.simulate(scene, "--bag", path)
+        self.assertEqual(code, 0, err)
+        code, text = self.check_bag(path)
+        self.assertEqual(code, 0, text)
+        for check in ("E - m g.Rc conserved", "E - n N.L + 3/2 n^2 u'Mu conserved", "slug's equation",
+                      "L = L0 + torque t", "E never rises", "one motion: omega"):
+            self.assertIn(check, text)
+
+        # The same recording, described as if something else acted.
+        for body, was, put in (("top", "mass 2,", "mass 2.02,"),
+                               ("satellite", "orbit_rate 0.1", "orbit_rate 0.1005"),
+                               ("satellite", "orbit_normal [0, ", "orbit_normal [0, -"),
+                               ("explorer", "damping 0.5", "damping 0.505"),
+                               ("despun", "frame body, torque [0, 0, -0.5]", "frame world, torque [0, 0, -0.5]"),
+                               ("despun", "frame body, torque [0, 0, -0.5]", "frame body, torque [0, 0, 0.5]"),
+                               ("pushed", "frame world", "frame body"),
+                               ("damped", "coefficient [0.1", "coefficient [0.101"),
+                               ("damped", "viscous_damping", "viscous_drag")):
+            with self.subTest(body + ": " + put):
+                spoiled = os.path.join(self.directory, "other_torques.bag")
+                changed = 0
+                with rosbag.Bag(path) as source, rosbag.Bag(spoiled, "w") as out:
+                    for topic, message, stamp, header in source.read_messages(return_connection_header=True):
+                        if topic.startswith("/markers"):
+                            continue
+                        if topic == "/%s/description" % body:
+                            changed += sum(was in text for text in message.effects)
+                            message.effects = [text.replace(was, put) for text in message.effects]
+                        out.write(topic, message, stamp, connection_header=header)
+                self.assertEqual(changed, 1)
+                code, text = self.check_bag(spoiled, "--without", "markers")
+                self.assertEqual(code, 1, text)
+
     def test_without_markers(self):
         path = os.path.join(self.directory, "bare.bag")
         self.assertEqual(self.simulate("dzhanibekov", "--bag", path, "--no-markers")[0], 0)

@@ -17,7 +17,7 @@ struct Evidence {
   const Options& options;
 };
 
-/** Descriptions: a tensor that is one, its principal moments and axes. */
+/** Descriptions: a tensor that is one, its principal moments and axes; effects that can be read. */
 void judgeDescription(const Evidence& evidence, std::vector<Check>& checks);
 
 /** All numbers finite; quaternions unit; stamps and segments never decrease. */
@@ -32,7 +32,10 @@ void judgeAgreement(const Evidence& evidence, std::vector<Check>& checks);
 /** From message to message: time, dR/dstamp, Euler's equations, translation. */
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks);
 
-/** What the motion conserves, and what the messages say of drift and error themselves. */
+/** Of a body under torques, from message to message and over many: the equations of motion, and what they conserve. */
+void judgeDriven(const Evidence& evidence, std::vector<Check>& checks);
+
+/** What a free motion conserves, and what the messages say of drift and error themselves. */
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks);
 
 /** Poinsot's construction as drawn. */

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/audit/effects.h"
+
 /** What was received, as plain data. A quaternion `…_as_sent` comes with its normalised self. */
 namespace poinsot::audit {
 
@@ -79,7 +81,8 @@ struct Description {
   Eigen::Quaterniond axes;
   std::string method;
   double step = 0;
-  std::vector<std::string> effects;
+  std::vector<std::string> effects;  ///< as sent
+  Effects forces;                    ///< the same, as read
   double metres_per_radian_per_second = 0;
 
   bool hasEffect(const std::string& type) const;
@@ -120,6 +123,8 @@ struct Body {
 
   /** The description in force at a stamp, or nullptr. */
   const Description* descriptionAt(Stamp stamp) const;
+  /** All texts of all descriptions could be read. */
+  bool effectsAreRead() const;
 };
 
 /** All transforms, by the frame that they place. */

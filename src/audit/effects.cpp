@@ -1,0 +1,204 @@
+#include "poinsot/audit/effects.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace poinsot::audit {
+namespace {
+
+using Eigen::Vector3d;
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument(why);
+}
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(' ');
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+/** The parts between separators that stand in no brackets. */
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '[') - (c == ']');
+    if (c == separator && depth == 0) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  for (std::string& part : parts) part = trimmed(part);
+  return parts;
+}
+
+double numberOf(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) refuse("\"" + text + "\" is not a finite number");
+  return value;
+}
+
+Vector3d vectorFrom(const std::string& text) {
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') refuse("\"" + text + "\" is not [x, y, z]");
+  const std::vector<std::string> parts = split(text.substr(1, text.size() - 2), ',');
+  if (parts.size() != 3) refuse("\"" + text + "\" is not [x, y, z]");
+  return {numberOf(parts[0]), numberOf(parts[1]), numberOf(parts[2])};
+}
+
+/** "key value, key value". Every key must be asked for. */
+class Values {
+ public:
+  explicit Values(const std::string& text) {
+    for (const std::string& item : split(text, ',')) {
+      const auto space = item.find(' ');
+      if (space == std::string::npos) refuse("\"" + item + "\" is not a key and a value");
+      const std::string key = item.substr(0, space);
+      if (has(key)) refuse("\"" + key + "\" is there twice");
+      items_.push_back({key, trimmed(item.substr(space))});
+    }
+  }
+
+  bool has(const std::string& key) const {
+    return std::any_of(items_.begin(), items_.end(), [&key](const Item& i) { return i.key == key; });
+  }
+  std::string word(const std::string& key) {
+    const auto found = std::find_if(items_.begin(), items_.end(), [&key](const Item& i) { return i.key == key; });
+    if (found == items_.end()) refuse("\"" + key + "\" is missing");
+    found->used = true;
+    return found->value;
+  }
+  double number(const std::string& key) { return numberOf(word(key)); }
+  Vector3d vector(const std::string& key) { return vectorFrom(word(key)); }
+  double positive(const std::string& key) {
+    const double value = number(key);
+    if (!(value > 0)) refuse("\"" + key + "\" is not positive");
+    return value;
+  }
+  Vector3d direction(const std::string& key) {
+    const Vector3d v = vector(key);
+    if (!(v.stableNorm() > 0)) refuse("\"" + key + "\" has no direction");
+    return v.stableNormalized();
+  }
+  bool frameIsWorld() {
+    const std::string frame = word("frame");
+    if (frame != "world" && frame != "body") refuse("frame \"" + frame + "\" is neither body nor world");
+    return frame == "world";
+  }
+  void done() const {
+    for (const Item& i : items_) {
+      if (!i.used) refuse("\"" + i.key + "\" is no key of it");
+    }
+  }
+
+ private:
+  struct Item {
+    std::string key, value;
+    bool used = false;
+  };
+  std::vector<Item> items_;
+};
+
+void readPush(Values& values, bool scheduled, Effects& out) {
+  Effects::Push push;
+  if (scheduled) {
+    push.from = values.number("from");
+    push.to = values.number("to");
+    if (!(push.from < push.to)) refuse("\"to\" is not after \"from\"");
+  }
+  push.world = values.frameIsWorld();
+  push.torque = values.vector("torque");
+  out.pushes.push_back(push);
+}
+
+void readOne(const std::string& text, Effects& out) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) refuse("no \"type: \" at its start");
+  const std::string type = text.substr(0, colon), rest = text.substr(colon + 1);
+  if (type == "torque_schedule") {
+    for (const std::string& segment : split(rest, ';')) {
+      Values values(segment);
+      readPush(values, true, out);
+      values.done();
+    }
+    return;
+  }
+  const char* const known[] = {"translation",      "constant_torque",      "gravity_torque",
+                               "gravity_gradient", "internal_dissipation", "viscous_damping"};
+  if (std::find(std::begin(known), std::end(known), type) == std::end(known)) refuse("no such type is known here");
+  Values values(rest);
+  if (type == "constant_torque") {
+    readPush(values, false, out);
+  } else if (type == "gravity_torque") {
+    out.weights.push_back({values.positive("mass"), values.vector("gravity"), values.vector("centre_of_mass")});
+  } else if (type == "gravity_gradient") {
+    Effects::Orbit orbit{values.positive("orbit_rate"), values.direction("orbit_normal"),
+                         values.direction("radial_at_start")};
+    if (std::abs(orbit.normal.dot(orbit.radial)) > 1e-9) refuse("its directions are not perpendicular");
+    orbit.radial = (orbit.radial - orbit.normal.dot(orbit.radial) * orbit.normal).normalized();
+    out.orbits.push_back(orbit);
+  } else if (type == "viscous_damping") {
+    const std::string value = values.word("coefficient");
+    const bool each = !value.empty() && value.front() == '[';
+    const Vector3d damping = each ? vectorFrom(value) : Vector3d::Constant(numberOf(value));
+    if (damping.minCoeff() < 0) refuse("a negative coefficient");
+    out.dampings.push_back(damping);
+  } else if (type == "internal_dissipation") {
+    if (out.slug) refuse("a second slug");
+    out.slug = Effects::Slug{values.positive("slug_inertia"), values.number("damping")};
+    if (out.slug->damping < 0) refuse("a negative damping");
+  } else {
+    if (out.translation) refuse("a second translation");
+    out.translation =
+        Effects::Translation{values.vector("position"), values.vector("velocity"), values.vector("acceleration")};
+  }
+  values.done();
+}
+
+}  // namespace
+
+Vector3d Effects::Orbit::radialAt(double t) const {
+  return std::cos(rate * t) * radial + std::sin(rate * t) * normal.cross(radial);
+}
+
+bool Effects::momentumIsKnown() const {
+  return weights.empty() && orbits.empty() && dampings.empty() &&
+         std::all_of(pushes.begin(), pushes.end(), [](const Push& p) { return p.world; });
+}
+
+Vector3d Effects::impulse(double from, double to) const {
+  Vector3d sum = Vector3d::Zero();
+  const double begin = std::min(from, to), end = std::max(from, to);
+  for (const Push& p : pushes) sum += std::max(0.0, std::min(end, p.to) - std::max(begin, p.from)) * p.torque;
+  return from <= to ? sum : Vector3d(-sum);
+}
+
+bool Effects::onlyDissipates() const {
+  return pushes.empty() && weights.empty() && orbits.empty();
+}
+
+bool Effects::onlyWeights() const {
+  return pushes.empty() && !weights.empty() && orbits.empty() && dampings.empty() && !slug;
+}
+
+bool Effects::onlyOrbits() const {
+  return pushes.empty() && weights.empty() && orbits.size() == 1 && dampings.empty() && !slug;
+}
+
+Effects readEffects(const std::vector<std::string>& texts) {
+  Effects out;
+  for (const std::string& text : texts) {
+    try {
+      readOne(text, out);
+    } catch (const std::invalid_argument& why) {
+      if (out.problem.empty()) out.problem = "\"" + text + "\" cannot be read: " + why.what();
+    }
+  }
+  return out;
+}
+
+}  // namespace poinsot::audit
