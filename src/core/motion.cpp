@@ -197,6 +197,9 @@ void Motion::describeTorques(const TorquedState& principal, MotionState& out) co
     out.slug_omega = setup_.inertia.axes() * principal.slug_omega;
     out.momentum_world += rotation.attitude * (torques.slug()->inertia * principal.slug_omega);
   }
+  if (!out.torque_world.allFinite() || !out.slug_omega.allFinite() || !out.momentum_world.allFinite()) {
+    throw std::range_error("the torque or the slug's rotation has left the range of doubles");
+  }
 }
 
 MotionState Motion::describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const {

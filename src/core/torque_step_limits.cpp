@@ -37,7 +37,9 @@ class Trial {
         return {Grade::hopeless, error.what(), 0};
       }
       truth_->advance(truth, n * step, step);
-      if (!truth.rotation.momentum_body.allFinite()) break;  // nobody can follow it there
+      if (!truth.rotation.momentum_body.allFinite()) {
+        return {Grade::hopeless, "it is so long that the motion cannot be followed in 65536 parts of it either", 0};
+      }
       const double angle = angleBetween(state.rotation.attitude, truth.rotation.attitude);
       if (!state.rotation.momentum_body.allFinite() || !(angle <= kHopeless)) {
         return {Grade::hopeless, format("the attitude goes wrong by more than 1 rad within %.0f steps", n + 1), 0};

@@ -30,15 +30,17 @@ Work TorqueStepper::advance(TorquedState& state, double t, double h) const {
   const auto first = std::upper_bound(switches.begin(), switches.end(), low);
   const auto last = std::lower_bound(first, switches.end(), high);
   const auto count = last - first;
+  TorquedState moved = state;  // step() may throw
   Work work;
   double from = t;
   for (std::ptrdiff_t i = 0; i <= count; ++i) {
     const bool at_end = i == count;
     const double to = at_end ? end : h > 0 ? first[i] : last[-1 - i];
     const double length = at_end ? h - (from - t) : to - from;
-    work += step(state, from, length, torques_.constant(torques_.intervalAt(0.5 * (from + to))));
+    work += step(moved, from, length, torques_.constant(torques_.intervalAt(0.5 * (from + to))));
     from = to;
   }
+  state = moved;
   return work;
 }
 

@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t kMostFields = 3;
 constexpr double kMostObliquity = 1e-9;  // cosine of the angle between directions that are called perpendicular
 
+void require(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(what);
+}
+
 Eigen::Vector3d direction(const Eigen::Vector3d& v, const char* what) {
   const double norm = v.stableNorm();
   if (!(norm > 0) || !std::isfinite(norm)) throw std::invalid_argument(std::string(what) + " has no direction");
@@ -23,6 +27,8 @@ Eigen::Vector3d direction(const Eigen::Vector3d& v, const char* what) {
 Torques::Torques(const PrincipalInertia& inertia) : moments_(inertia.moments()), axes_(inertia.axes()) {}
 
 void Torques::addBetween(double from, double to, Axes axes, const Eigen::Vector3d& torque) {
+  require(torque.allFinite(), "a torque must be finite");
+  require(from < to, "a torque must end after it begins");
   const auto cut = [this](double t) {
     if (!std::isfinite(t)) return;
     const auto place = std::lower_bound(switches_.begin(), switches_.end(), t);
@@ -47,6 +53,7 @@ void Torques::addBetween(double from, double to, Axes axes, const Eigen::Vector3
 }
 
 void Torques::addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& force_world) {
+  require(lever.allFinite() && force_world.allFinite(), "a force and its lever must be finite");
   const Eigen::Matrix3d map = hat(principal(lever));
   for (Field& field : fields_) {
     if (field.world != force_world) continue;
@@ -66,16 +73,16 @@ void Torques::addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& forc
 
 void Torques::addGravityGradient(double orbit_rate, const Eigen::Vector3d& normal,
                                  const Eigen::Vector3d& radial_at_start) {
-  if (gradient_) throw std::invalid_argument("a body has one orbit");
+  require(!gradient_, "a body has one orbit");
+  require(orbit_rate > 0 && std::isfinite(orbit_rate), "orbit_rate must be positive and finite");
   const Eigen::Vector3d n = direction(normal, "orbit_normal"), given = direction(radial_at_start, "radial_at_start");
-  if (!(std::abs(n.dot(given)) <= kMostObliquity)) {
-    throw std::invalid_argument("orbit_normal and radial_at_start must be perpendicular");
-  }
+  require(std::abs(n.dot(given)) <= kMostObliquity, "orbit_normal and radial_at_start must be perpendicular");
   const Eigen::Vector3d radial = (given - n.dot(given) * n).normalized();
   gradient_ = Gradient{orbit_rate, n, radial, n.cross(radial)};
 }
 
 void Torques::addDamping(const Eigen::Vector3d& coefficients) {
+  require(coefficients.allFinite() && coefficients.minCoeff() >= 0, "damping must be finite and not negative");
   if (!damping_) damping_ = Eigen::Matrix3d::Zero();
   if (axes_.vec().isZero(0)) {
     damping_->diagonal() += coefficients;
@@ -86,7 +93,9 @@ void Torques::addDamping(const Eigen::Vector3d& coefficients) {
 }
 
 void Torques::addSlug(double inertia, double damping) {
-  if (slug_) throw std::invalid_argument("a body has one slug");
+  require(!slug_, "a body has one slug");
+  require(inertia > 0 && std::isfinite(inertia), "a slug's inertia must be positive and finite");
+  require(damping >= 0 && std::isfinite(damping), "damping must be finite and not negative");
   slug_ = Slug{inertia, damping};
 }
 

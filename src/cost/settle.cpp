@@ -1,6 +1,7 @@
 #include "poinsot/cost/settle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "poinsot/cost/choice.h"
@@ -25,6 +26,10 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
          shown(choice.estimated_error) + " rad, ";
   if (!body.effects.empty()) {
     out += "verified by step refinement " + shown(choice.verified_error);
+    if (!std::isfinite(choice.verified_error)) {
+      return out.substr(0, out.rfind("; ")) + "; not verified: that takes too many steps, or the motion is lost; cost " +
+             shown(choice.cost) + " CPU s per simulated s";
+    }
     if (choice.verified_error > wish.error) out += ", which is as near as doubles come: the motion is that sensitive";
   } else {
     out += choice.step ? "verified by the closed form " + shown(choice.verified_error) + " rad"

@@ -13,11 +13,12 @@ namespace poinsot::cost {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kAim = 0.5;     // of the accuracy: what is looked for
-constexpr double kMost = 0.8;    // of the accuracy: what is taken, for times between the looks
-constexpr double kAgree = 0.1;   // of the accuracy: how far two references may differ
-constexpr double kSlow = 0.01;   // of the greatest |Omega|
-constexpr double kRest = 1e-14;  // of the same: what rounding leaves of a spin that was brought to rest
+constexpr double kAim = 0.5;           // of the accuracy: what is looked for
+constexpr double kMost = 0.8;          // of the accuracy: what is taken, for times between the looks
+constexpr double kAgree = 0.1;         // of the accuracy: how far two references should differ at most
+constexpr double kAgreeAtWorst = 0.4;  // the same where rounding lets them come no nearer
+constexpr double kSlow = 0.01;         // of the greatest |Omega|
+constexpr double kRest = 1e-14;        // of the same: what rounding leaves of a spin that was brought to rest
 constexpr int kMostLooks = 512;
 constexpr double kMostSteps = 2e7;    // of one trial: some seconds
 constexpr int kMostTrials = 24;       // to one method
@@ -48,7 +49,11 @@ class Search {
 
   Choice cheapest() {
     findTruth();
-    if (!(agreement_ <= kAgree * wish_.accuracy)) {
+    if (truth_.empty()) {
+      throw Unreachable("a reference would take more than " + shown(kMostSteps) + " steps for " + shown(wish_.horizon) +
+                        " s, or loses the motion, so that " + shown(wish_.accuracy) + " rad cannot be verified");
+    }
+    if (!(agreement_ <= kAgreeAtWorst * wish_.accuracy)) {
       throw Unreachable("two references differ by " + shown(agreement_) + " rad within " + shown(wish_.horizon) +
                         " s, so that " + shown(wish_.accuracy) +
                         " rad cannot be verified: rounding is in the way, or the motion is that sensitive");
@@ -112,12 +117,23 @@ class Search {
     return worst;
   }
 
-  /** A rate of the order of the fastest at the start [1/s]. */
+  /** A rate of the order of the fastest to come [1/s], as far as the start and the strength of the torques tell: a
+   * torque that is zero at first (a pendulum upright, a thruster that waits) is not at last. */
   double rateAtStart() const {
-    const Eigen::Vector3d omega = setup_.inertia.axes().conjugate() * setup_.omega_body;
-    const Eigen::Vector3d torque = torques_.at(0, torques_.constant(torques_.intervalAt(0)),
-                                               setup_.attitude.normalized() * setup_.inertia.axes(), omega, omega);
-    double rate = omega.norm() + std::sqrt(torque.cwiseQuotient(torques_.moments()).norm());
+    const Eigen::Vector3d& moments = torques_.moments();
+    double strongest = 0;
+    for (std::size_t k = 0; k <= torques_.switches().size(); ++k) {
+      const bool matters = (k == 0 || torques_.switches()[k - 1] < wish_.horizon) &&
+                           (k == torques_.switches().size() || torques_.switches()[k] > 0);
+      if (!matters) continue;
+      const Torques::Constant& constant = torques_.constant(k);
+      strongest =
+          std::max(strongest, constant.body.cwiseQuotient(moments).norm() + constant.world.norm() / moments.minCoeff());
+    }
+    for (const Torques::Field& field : torques_.fields()) {
+      strongest += (moments.cwiseInverse().asDiagonal() * field.map).norm() * field.world.norm();
+    }
+    double rate = setup_.omega_body.norm() + std::sqrt(strongest);
     if (torques_.gradient()) rate += torques_.gradient()->rate;
     if (torques_.damping()) rate += torques_.damping()->norm() / torques_.moments().minCoeff();
     if (torques_.slug()) {
@@ -132,15 +148,21 @@ class Search {
     agreement_ = kInfinite;
     int without_progress = 0;
     for (int i = 0; i < kMostTrials && without_progress < 3; ++i, step *= 0.5) {
+      if (truth_step_ == 0) truth_step_ = step;
+      if (wish_.horizon / (kReferenceRatio * step) > kMostSteps) return;
       std::vector<Look> one = run(kReferences[0], step), other = run(kReferences[1], kReferenceRatio * step);
       const double off = difference(one, other);
+      double fastest = rate;
+      for (const Look& look : one) fastest = std::max(fastest, look.omega.norm());
+      // Where a step is many radians nothing is to be expected of half of it yet.
+      const int futile = step * fastest <= 1 ? 1 : 0;
       if (truth_.empty() || off < agreement_) {
-        without_progress = off < 0.5 * agreement_ ? 0 : without_progress + 1;
+        without_progress = off < 0.5 * agreement_ ? 0 : without_progress + futile;
         agreement_ = off;
         truth_ = std::move(one);
         truth_step_ = step;
       } else {
-        ++without_progress;
+        without_progress += futile;
       }
       if (agreement_ <= kAgree * wish_.accuracy) return;
     }

@@ -76,8 +76,13 @@ void movePivot(const Fields& fields, Body& body) {
     }
     const Eigen::Vector3d& c = weight->centre_of_mass;
     body.shape_position = c;
-    body.inertia = PrincipalInertia::fromTensor(
-        body.shape->inertiaTensor() + mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose()));
+    try {
+      body.inertia = PrincipalInertia::fromTensor(
+          body.shape->inertiaTensor() + mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose()));
+    } catch (const std::invalid_argument& objection) {
+      fields.find("effects")->refuse("about the pivot of gravity_torque " + std::string(objection.what()),
+                                     "a centre_of_mass so near the pivot that doubles hold the moments about it");
+    }
   }
 }
 

@@ -177,6 +177,11 @@ void readEffects(const Place& place, Body& body) {
   place.requireList("a list of effects");
   for (std::size_t i = 0; i < place.node().size(); ++i) {
     readEffect(place.item(i), body);
+    try {
+      sumOf(body.inertia, body.effects);
+    } catch (const std::invalid_argument& objection) {
+      place.item(i).refuse(objection.what(), "effects that go together and whose sum doubles hold");
+    }
     if (body.translation && has<GravityTorque>(body)) {
       place.item(i).refuse("gravity_torque holds the body at a fixed pivot, and translation moves it",
                            "one of gravity_torque, translation");

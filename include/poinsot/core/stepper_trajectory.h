@@ -31,10 +31,12 @@ struct TorquedFlow {
   std::shared_ptr<const TorqueStepper> stepper;
 
   Work advance(State& state, std::int64_t n, double step, std::int64_t count) const {
+    State moved = state;  // advance() may throw
     Work work;
     for (const std::int64_t end = n + count; n < end; ++n) {
-      work += stepper->advance(state, static_cast<double>(n) * step, step);
+      work += stepper->advance(moved, static_cast<double>(n) * step, step);
     }
+    state = moved;
     return work;
   }
   Work advancePart(State& state, double t, double part) const { return stepper->advance(state, t, part); }

@@ -28,7 +28,8 @@ class TorqueStepper {
 
   /**
    * From t to t + h [s], h of either sign: in one step, or in several that end where a torque switches in between.
-   * Allocates nothing. The state is not finite afterwards where it left the range of doubles. May throw NoConvergence.
+   * Allocates nothing. The state is not finite afterwards where it left the range of doubles. May throw NoConvergence;
+   * the state is then as it was.
    */
   Work advance(TorquedState& state, double t, double h) const;
 

@@ -32,7 +32,8 @@ class Torques {
   explicit Torques(const PrincipalInertia& inertia);
 
   // What effects call. Vectors "in body axes" refer to those in which the inertia was given. Throw
-  // std::invalid_argument where a term does not go together with what is there.
+  // std::invalid_argument where a term does not go together with what is there, or a value is not finite or out of
+  // range.
 
   /** For all t. @param torque [N·m] */
   void addConstant(Axes axes, const Eigen::Vector3d& torque) {

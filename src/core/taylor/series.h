@@ -12,7 +12,7 @@ constexpr double kInverse[kMostOrder] = {1,        1.0 / 2,  1.0 / 3,  1.0 / 4, 
                                          1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12,
                                          1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18,
                                          1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24};
-constexpr double kMostTail = 1e-2;  // of the state, for the last two terms
+constexpr double kMostTail = 1e-2;  // of the state, or of its change, for the last two terms
 
 inline Four four(const double* v) {
   return Four{v[0], v[1], v[2], 0};
@@ -49,17 +49,24 @@ inline Four times(const double* map, Four v) {
   return four(map) * v[0] + four(map + 3) * v[1] + four(map + 6) * v[2];
 }
 
-/** Σ cₖhᵏ for k = order … 1. */
-inline Four sum(const Four* c, int order, double h) {
+/** Σ cₖ for k = order … 1. */
+inline Four sum(const Four* c, int order) {
   // Even and odd powers apart: half as long a chain.
-  const double square = h * h;
   Four even = c[order & ~1], odd = c[(order - 1) | 1];
-  for (int k = (order & ~1) - 2; k >= 2; k -= 2) even = even * square + c[k];
-  for (int k = ((order - 1) | 1) - 2; k >= 1; k -= 2) odd = odd * square + c[k];
-  return even * square + odd * h;
+  for (int k = (order & ~1) - 2; k >= 2; k -= 2) even += c[k];
+  for (int k = ((order - 1) | 1) - 2; k >= 1; k -= 2) odd += c[k];
+  return even + odd;
+}
+
+/** The larger of the last two terms. */
+inline double tail(const Four* c, int order) {
+  return larger(largest(c[order - 1]), largest(c[order]));
 }
 
 /**
+ * Coefficient k of every series has the factor hᵏ in it: a term is of the size of what it adds, whatever the scale of
+ * time, where a power of h or of |Ω| alone would leave the range of doubles.
+ *
  * Carried vectors: all obey v̇ = v×Ω + something linear. They are the fields, then r and ṙ/n of an orbit, then σ.
  * Their number is a template's, so that their products are all formed in one loop over the coefficients of Ω.
  */
@@ -82,6 +89,7 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
   // Λ×Ω = (μⱼ − μₖ)ΩⱼΩₖ, and so u×Mu with the opposite sign.
   const Four differences = yzx(moments) - zxy(moments);
   const Four inverse_moments = Four{1, 1, 1, 1} / moments;
+  const bool invertible = largest(inverse_moments) < 1e300;  // moments may be denormal
   const double gradient = 3 * body.orbit_rate * body.orbit_rate;
 
   for (int k = 0; k < order; ++k) {
@@ -118,9 +126,9 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
       torque -= body.slug_damping * slip;
       cross[carried > 0 ? slug : 0] += body.slug_rate * slip;
     }
-    const double next = kInverse[k];
+    const double next = h * kInverse[k];
     // Rounded inverses would be the moments of a slightly different body; in the higher terms that does not show.
-    omega.set(k + 1, k < 2 ? torque * next / moments : torque * next * inverse_moments);
+    omega.set(k + 1, k < 2 || !invertible ? torque * next / moments : torque * next * inverse_moments);
     for (int i = 0; i < carried; ++i) vectors[i].set(k + 1, cross[i] * next);
     const Four turn = __builtin_shuffle(a1, Order{3, 2, 1, 0}) * Four{1, 1, -1, -1} +
                       __builtin_shuffle(a2, Order{2, 3, 0, 1}) * Four{-1, 1, 1, -1} +
@@ -128,21 +136,18 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
     attitude[k + 1] = turn * (0.5 * next);
   }
 
-  double power = 1;
-  for (int k = 1; k < order; ++k) power *= h;  // h^(order−1)
-  const double before = absolute(power), last = absolute(power * h);
-  const double speed = larger(largest(omega.plain[0]), absolute(h) * largest(omega.plain[1]));
-  const double turned = larger(before * largest(attitude[order - 1]), last * largest(attitude[order]));
-  const double sped = larger(before * largest(omega.plain[order - 1]), last * largest(omega.plain[order]));
-  if (!(turned <= kMostTail) || !(sped <= kMostTail * speed)) return false;
-
-  const Four dq = sum(attitude, order, h), dw = sum(omega.plain, order, h);
-  for (int i = 0; i < 4; ++i) out.attitude[i] = dq[i];
-  for (int i = 0; i < 3; ++i) out.omega[i] = dw[i];
+  const Four dq = sum(attitude, order), dw = sum(omega.plain, order);
+  // What starts at rest, even without a torque at first, is measured by what it becomes.
+  const double speed = larger(larger(largest(omega.plain[0]), largest(omega.plain[1])), largest(dw));
+  if (!(tail(attitude, order) <= kMostTail) || !(tail(omega.plain, order) <= kMostTail * speed)) return false;
   if (body.slug) {
-    const Four ds = sum(vectors[carried > 0 ? slug : 0].plain, order, h);
+    const Four* const sigma = vectors[carried > 0 ? slug : 0].plain;
+    const Four ds = sum(sigma, order);
+    if (!(tail(sigma, order) <= kMostTail * larger(speed, larger(largest(sigma[0]), largest(ds))))) return false;
     for (int i = 0; i < 3; ++i) out.slug_omega[i] = ds[i];
   }
+  for (int i = 0; i < 4; ++i) out.attitude[i] = dq[i];
+  for (int i = 0; i < 3; ++i) out.omega[i] = dw[i];
   return true;
 }
 
