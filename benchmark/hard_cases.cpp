@@ -205,7 +205,7 @@ is more), n the number of steps, t = n·h, and κ = |Ω||L|/E, by which E feels 
 | finite | always, unless the step is refused | the same |
 | norm of q, error | 1e-15 after any number of steps | the same |
 | L in world axes, relative | 4e-15 after any number of steps, also where the step is refused | 1e-15·κ(20 + √n) + C(wh)^p(1 + w\|t\|) |
-| E, relative | 1e-15·κ(20 + √n) | the same + C(wh)^p(1 + w\|t\|); with L conserved never outside [L²/2μ_max, L²/2μ_min] |
+| E, relative | 4e-15·κ after any number of steps | 1e-15·κ(20 + √n) + C(wh)^p(1 + w\|t\|); with L conserved never outside [L²/2μ_max, L²/2μ_min] |
 | attitude, first turn | 10π(wh)^p rad a turn and 1e-16 rad a step (splittings 4e-16); never more than 0.1, or 1 where the step is warned of | the same |
 
 C = 2 for p = 1, else 0.2. The last two lines do not bind a step that is refused. Denormal L is kept to 1000 of the smallest

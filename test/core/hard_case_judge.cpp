@@ -161,7 +161,9 @@ Promise promiseOf(const Method& method, const HardCase& c, const StepJudgement& 
   Promise promise;
   promise.norm = 1e-15;
   promise.momentum = method.conserves_momentum ? 4e-15 + granularity(c) : roundoff + drift;
-  promise.energy = hopeless ? kInfinity : roundoff + (method.conserves_energy ? 0 : drift);
+  promise.energy = hopeless                  ? kInfinity
+                   : method.conserves_energy ? condition * (4e-15 + granularity(c))
+                                             : roundoff + drift;
   promise.energy_outside = method.conserves_momentum ? 1e-14 * condition + roundoff : kInfinity;
   promise.first_turn =
       hopeless ? kInfinity : kRoundoff * rates.turn * std::abs(c.step) + error + roundoffOfATurn(method, c, rates.turn);

@@ -43,6 +43,7 @@ struct Constants {
   double z_real[4] = {1, 0, 0, 0}, z_imag[3] = {0, 0, 0};   ///< trigonometric: Z
   double wraps = 1;                                         ///< hyperbolic: 0 on the separatrix, else 1
   double span = 0;                                          ///< hyperbolic: X = πK/K'
+  double span_high = 0, span_rest = 0;                      ///< hyperbolic: the same in two parts, the first of 8 bits
   double nome[7] = {0};                                     ///< hyperbolic: powers 0 … 6 of q' = exp(−X)
   double root_nome = 0;                                     ///< hyperbolic: √q'
   double z_cos[4] = {0, 0, 0, 0}, z_sin[4] = {0, 0, 0, 0};  ///< hyperbolic: cos, sin of (n + ½)η

@@ -74,13 +74,13 @@ struct Exponentials {
   double decay, complement, growth;  ///< e⁻ᵃ, 1 − e⁻ᵃ, eᵃ, each to its last bits
 };
 
-/** For a ≥ −0.3; beyond 600 what holds at 600. */
-POINSOT_INLINE Exponentials exponentials(double a) {
+/** Of a + rest ≥ −0.3, |rest| ≤ a/100; beyond 600 what holds near 600. */
+POINSOT_INLINE Exponentials exponentials(double a, double rest) {
   constexpr double kInverseLn2 = 0x1.71547652b82fep+0;
   constexpr double kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;  // high: 32 bits
   a = a < 600.0 ? a : 600.0;
-  const double n = nearest(a * kInverseLn2);
-  const double r = mulAdd(n, -kLn2Low, mulAdd(n, -kLn2High, a));
+  const double n = nearest((a + rest) * kInverseLn2);
+  const double r = mulAdd(n, -kLn2Low, mulAdd(n, -kLn2High, a)) + rest;
   // sinh r and cosh r − 1 for |r| ≤ ½ ln 2 by Taylor; the first terms left out are below 5e-18.
   const double z = r * r;
   const double sinh =

@@ -33,7 +33,7 @@ struct ExponentialTable {
 
   ExponentialTable(double step, int n) {
     for (int k = 0; k < n; ++k) {
-      const Exponentials e = exponentials(step * k);
+      const Exponentials e = exponentials(step * k, 0.0);
       decay[k] = e.decay;
       growth[k] = e.growth;
     }

@@ -103,19 +103,22 @@ POINSOT_INLINE HyperbolicPlace hyperbolicPlace(const Constants& c, SplitPhase v)
   return {grid, v.rest, d, d < 0 ? -1.0 : 1.0, mulAdd(-2.0, mulAdd(-2.0, nearest(0.5 * n - 0.25), n), 1.0)};
 }
 
-/** E = e^{−|x|} and H = √q' e^{|x|}, x = Xd, both ≤ 1; and 1 less each. */
+/** E = e^{−|x|} and H = √q' e^{|x|}, x = Xd, both ≤ 1; and 1 less each. All to their last bits. */
 struct Decays {
   double E, E_complement, H, H_complement;
 };
 
 POINSOT_INLINE Decays decays(const Constants& c, const HyperbolicPlace& v) {
   // The larger of the two has the smaller exponent; the other is √q' over it.
-  const double x = c.span * (v.side * v.d);
-  const double left = c.span * ((0.5 - v.side * v.grid) - v.side * v.rest);
-  const Exponentials e = exponentials(x < left ? x : left);
+  const bool inner = v.side * v.d < 0.25;
+  const double way = inner ? v.side * v.grid : 0.5 - v.side * v.grid;
+  // The exponent in two parts: where a moment is tiny Ω may be large where E is small, and a rounding of x counts
+  // x-fold.
+  const SplitPhase split = splitPhase({way, inner ? v.side * v.rest : -(v.side * v.rest)});
+  const Exponentials e = exponentials(c.span_high * split.grid, mulAdd(c.span_rest, split.grid, c.span * split.rest));
   const double other = c.root_nome * e.growth;
-  return {x < left ? e.decay : other, x < left ? e.complement : 1.0 - other, x < left ? other : e.decay,
-          x < left ? 1.0 - other : e.complement};
+  return {inner ? e.decay : other, inner ? e.complement : 1.0 - other, inner ? other : e.decay,
+          inner ? 1.0 - other : e.complement};
 }
 
 /**

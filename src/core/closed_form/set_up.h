@@ -242,7 +242,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
     const Real tangent = one / sqrt(square);  // u₀ = asinh
     rates.half = p / kSeparatrixSpan;
     rates.half_start = square < far ? log(tangent + sqrt(tangent * tangent + one)) * side / kSeparatrixSpan : zero;
-    c.span = kSeparatrixSpan;
+    c.span = c.span_high = kSeparatrixSpan;
     c.wraps = 0;
     c.series = Constants::Series::hyperbolic;
     const Landen<Real> across = landen<Real>(one, s / r);
@@ -259,6 +259,9 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
       if (span > Real(6.13)) {  // q > 0.2
         c.series = Constants::Series::hyperbolic;
         c.span = toDouble(span);
+        constexpr double kToEightBits = 0x1p45;  // products with multiples of 2⁻⁴⁶ up to ½ are exact then
+        c.span_high = (c.span + kToEightBits * c.span) - kToEightBits * c.span;
+        c.span_rest = toDouble(span - Real(c.span_high));
         c.z_turn = toDouble(across.angle / Number<Real>::pi()) / 2;
         phase_slope = across.mean * hyperbolicSeries(exp(-span), across.cosHalf(), across.sinHalf(), c) -
                       across.angle * along.mean / Number<Real>::pi();

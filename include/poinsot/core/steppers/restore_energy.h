@@ -10,12 +10,14 @@
 namespace poinsot::steppers {
 
 /**
- * Undoes what rounding did to E since the last time, for methods that keep E, where that matters: while Ω is near a
- * principal axis, and above all near the unstable one, from which a body departs the sooner the farther it is from the
- * separatrix. There the distance that counts, 2E/|L|² − 1/μᵢ, is tiny, and a rounding of E is no small part of it.
+ * Undoes what rounding did to E since the last time, for methods that keep E: their implicit equation is solved to
+ * roundoff only, which adds up to some 5e-21 a step, always the same way. It matters most near the unstable axis, from
+ * which a body departs the sooner the farther it is from the separatrix. There the distance that counts,
+ * 2E/|L|² − 1/μᵢ, is tiny, and a rounding of E is no small part of it.
  *
  * That distance is a sum over the other two axes, Σ nⱼ²(1/μⱼ − 1/μᵢ) with n = Λ/|L|, in which nothing is lost near
- * axis i. Λ is moved along the gradient of E on the sphere of |L|, each component in proportion to itself.
+ * axis i: of the three the one is taken that loses least. Λ is moved along the gradient of E on the sphere of |L|, each
+ * component in proportion to itself.
  */
 class EnergyKeeper {
  public:
@@ -37,14 +39,16 @@ class EnergyKeeper {
 
   /** To the state's kept_energy_gaps. */
   void restore(RotationState& state) const {
-    for (int i = 0; i < 3; ++i) {
+    Gap least = gap(state, 0);
+    int axis = 0;
+    for (int i = 1; i < 3; ++i) {
       const Gap now = gap(state, i);
-      if (now.size <= kNear * spread_) return restoreAt(state, i, now.value);
+      if (now.size < least.size) least = now, axis = i;
     }
+    restoreAt(state, axis, least.value);
   }
 
  private:
-  static constexpr double kNear = 0.05;  // farther from an axis the sum is no better than E itself
   struct Gap {
     double value;
     double size;  ///< the sum of the magnitudes: rounding is relative to it
