@@ -14,6 +14,7 @@
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
+#include "torqued_bodies.h"
 
 namespace poinsot {
 namespace {
@@ -139,6 +140,26 @@ TEST(Allocation, steppersAllocateNothing) {
       }
       sink = state.attitude.w();
       EXPECT_EQ(counter.count(), 0) << method.name << ", " << c.name;
+    }
+  }
+}
+
+TEST(Allocation, steppersUnderTorquesAllocateNothing) {
+  for (const NamedEffects& one : eachEffect()) {
+    for (const TorqueMethod& method : torqueMethods()) {
+      if (one.damped && !method.takes_damping) continue;
+      const PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1.7, 2.1});
+      const Torques torques = sumOf(inertia, one.effects);
+      const std::unique_ptr<TorqueStepper> stepper = method.make(torques);
+      TorquedState state;
+      state.rotation =
+          RotationState::fromOmega(inertia.moments(), Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.6, -0.5, 0.7});
+      const AllocationCounter counter;
+      for (int n = 0; n < 300; ++n) stepper->advance(state, 0.01 * n, 0.01);
+      for (int n = 300; n > 0; --n) stepper->advance(state, 0.01 * n, -0.01);
+      if (method.cuts_steps) stepper->advance(state, 0, 30);
+      sink = state.rotation.attitude.w();
+      EXPECT_EQ(counter.count(), 0) << one.name << ", " << method.name;
     }
   }
 }

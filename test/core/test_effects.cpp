@@ -670,11 +670,10 @@ TEST(TorqueStepLimits, shortStepsAreSoundAndLongOnesHopeless) {
         EXPECT_EQ(judged(method, one.effects, 100).grade, Grade::sound);
         continue;
       }
-      for (const double step : {30.0, 1e3, 1e9, 1e100}) {
+      for (const double step : {30.0, 1e9}) {
         const StepJudgement judgement = judged(method, one.effects, step);
         EXPECT_EQ(judgement.grade, Grade::hopeless) << one.name << " " << method << " " << step;
         EXPECT_FALSE(judgement.reason.empty());
-        if (step > 1e6) continue;
         ASSERT_GT(judgement.largest_sound, 0) << one.name << " " << method << " " << step;
         EXPECT_EQ(judged(method, one.effects, judgement.largest_sound).grade, Grade::sound);
       }

@@ -1,7 +1,45 @@
+#include <algorithm>
+#include <map>
+
+#include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
 #include "scene_text.h"
 
+using namespace poinsot;
 using scene_text::expectKeyRefused;
 using scene_text::readBody;
+
+namespace {
+
+template <class Type>
+Type only(const scene::Body& body) {
+  EXPECT_EQ(body.effects.size(), 1u);
+  return std::get<Type>(body.effects.at(0));
+}
+
+/** `effects: [{type: …, …}]` of the keys given; with one of them replaced, or left out where it is "". */
+using Keys = std::vector<std::pair<std::string, std::string>>;
+std::string effect(const std::string& type, Keys keys, const std::string& key = "", const std::string& value = "") {
+  std::string text = "effects: [{type: " + type;
+  for (const auto& [name, given] : keys) {
+    if (name != key) text += ", " + name + ": " + given;
+  }
+  if (!value.empty()) text += ", " + key + ": " + value;
+  return text + "}]";
+}
+
+const std::map<std::string, Keys>& types() {
+  static const std::map<std::string, Keys> all = {
+      {"constant_torque", {{"frame", "body"}, {"torque", "[0, 0, 1]"}}},
+      {"gravity_torque", {{"mass", "2"}, {"gravity", "[0, 0, -9]"}, {"centre_of_mass", "[0, 0, 1]"}}},
+      {"gravity_gradient", {{"orbit_rate", "1"}, {"orbit_normal", "[0, 0, 2]"}, {"radial_at_start", "[3, 0, 0]"}}},
+      {"viscous_damping", {{"coefficient", "0.5"}}},
+      {"internal_dissipation", {{"slug_inertia", "0.1"}, {"damping", "0.2"}}},
+      {"torque_schedule", {{"segments", "[{from: 1, to: 2, frame: body, torque: [0, 0, 1]}]"}}}};
+  return all;
+}
+
+}  // namespace
 
 TEST(Effects, TranslationDefaultsToRest) {
   const auto still = readBody({"effects: [{type: translation}]"});
@@ -30,16 +68,13 @@ TEST(Effects, BadTranslationsAreRefused) {
                    {"a second translation", "allowed: one translation a body"});
 }
 
-TEST(Effects, TypesOfOtherVersionsAreToldFromUnknownOnes) {
-  for (const std::string type : {"constant_torque", "gravity_torque", "gravity_gradient", "viscous_damping",
-                                 "internal_dissipation", "torque_schedule"}) {
-    expectKeyRefused("effects: [{type: " + type + ", frame: body, torque: [0, 0, 1]}]", ".effects[0].type",
-                     {type + " is not in this version", "allowed: translation"});
-  }
-  expectKeyRefused("effects: [{type: magnetism}]", ".effects[0].type",
-                   {"magnetism is unknown;", "allowed: translation"});
-  expectKeyRefused("effects: [{type: transaltion}]", ".effects[0].type",
-                   {"did you mean \"translation\"?", "allowed: translation"});
+TEST(Effects, UnknownTypesAreRefused) {
+  const std::string all =
+      "allowed: translation, constant_torque, gravity_torque, gravity_gradient, viscous_damping, "
+      "internal_dissipation, torque_schedule";
+  expectKeyRefused("effects: [{type: magnetism}]", ".effects[0].type", {"magnetism is unknown;", all});
+  expectKeyRefused("effects: [{type: transaltion}]", ".effects[0].type", {"did you mean \"translation\"?", all});
+  expectKeyRefused("effects: [{type: gravity_torqe}]", ".effects[0].type", {"did you mean \"gravity_torque\"?", all});
 }
 
 TEST(Effects, AreAListOfMapsWithAType) {
@@ -47,4 +82,324 @@ TEST(Effects, AreAListOfMapsWithAType) {
   expectKeyRefused("effects:", ".effects", {"null is not a list", "a list of effects"});
   expectKeyRefused("effects: [translation]", ".effects[0]", {"translation is not a map", "allowed: an effect"});
   expectKeyRefused("effects: [{position: [0, 0, 0]}]", ".effects[0]", {"type is missing", "translation"});
+}
+
+TEST(Effects, EveryKeyIsRead) {
+  const auto torque = only<ConstantTorque>(
+      readBody({"effects: [{type: constant_torque, frame: world, torque: [1e-3, \"2\", -3]}]"}));
+  EXPECT_EQ(torque.axes, Axes::world);
+  EXPECT_EQ(torque.torque, Eigen::Vector3d(1e-3, 2, -3));
+  EXPECT_EQ(only<ConstantTorque>(readBody({effect("constant_torque", types().at("constant_torque"))})).axes, Axes::body);
+
+  const auto weight = only<GravityTorque>(readBody({effect("gravity_torque", types().at("gravity_torque"))}));
+  EXPECT_EQ(weight.mass, 2);
+  EXPECT_EQ(weight.gravity, Eigen::Vector3d(0, 0, -9));
+  EXPECT_EQ(weight.centre_of_mass, Eigen::Vector3d(0, 0, 1));
+  const auto here = only<GravityTorque>(readBody({effect("gravity_torque", types().at("gravity_torque"), "gravity")}));
+  EXPECT_EQ(here.gravity, Eigen::Vector3d(0, 0, -9.80665));
+
+  const auto orbit = only<GravityGradient>(readBody({effect("gravity_gradient", types().at("gravity_gradient"))}));
+  EXPECT_EQ(orbit.orbit_rate, 1);
+  EXPECT_EQ(orbit.orbit_normal, Eigen::Vector3d(0, 0, 2));
+  EXPECT_EQ(orbit.radial_at_start, Eigen::Vector3d(3, 0, 0));
+
+  const auto one = only<ViscousDamping>(readBody({effect("viscous_damping", types().at("viscous_damping"))}));
+  EXPECT_EQ(one.coefficients, Eigen::Vector3d(0.5, 0.5, 0.5));
+  const auto three = only<ViscousDamping>(readBody({"effects: [{type: viscous_damping, coefficient: [0, 1, 2]}]"}));
+  EXPECT_EQ(three.coefficients, Eigen::Vector3d(0, 1, 2));
+
+  const auto slug =
+      only<InternalDissipation>(readBody({effect("internal_dissipation", types().at("internal_dissipation"))}));
+  EXPECT_EQ(slug.slug_inertia, 0.1);
+  EXPECT_EQ(slug.damping, 0.2);
+
+  const auto schedule = only<TorqueSchedule>(
+      readBody({"effects:", "  - type: torque_schedule", "    segments:",
+                "      - {from: -1, to: 1.5, frame: body, torque: [1, 2, 3]}",
+                "      - {from: 1.5, to: 1e3, frame: world, torque: [4, 5, 6]}"}));
+  ASSERT_EQ(schedule.segments.size(), 2u);
+  EXPECT_EQ(schedule.segments[0].from, -1);
+  EXPECT_EQ(schedule.segments[0].to, 1.5);
+  EXPECT_EQ(schedule.segments[0].axes, Axes::body);
+  EXPECT_EQ(schedule.segments[0].torque, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(schedule.segments[1].to, 1000);
+  EXPECT_EQ(schedule.segments[1].axes, Axes::world);
+}
+
+TEST(Effects, SeveralAddUpInTheOrderGiven) {
+  const auto body = readBody({"effects:", "  - {type: viscous_damping, coefficient: 1}",
+                              "  - {type: constant_torque, frame: body, torque: [1, 0, 0]}",
+                              "  - {type: constant_torque, frame: world, torque: [0, 1, 0]}",
+                              "  - {type: translation, velocity: [1, 0, 0]}",
+                              "  - {type: viscous_damping, coefficient: [0, 0, 1]}"});
+  ASSERT_EQ(body.effects.size(), 4u);
+  EXPECT_EQ(nameOf(body.effects[0]), "viscous_damping");
+  EXPECT_EQ(nameOf(body.effects[2]), "constant_torque");
+  EXPECT_TRUE(body.translation);
+}
+
+TEST(Effects, EveryKeyIsRequiredButGravity) {
+  for (const auto& [type, keys] : types()) {
+    for (const auto& [key, value] : keys) {
+      if (key == "gravity") continue;
+      expectKeyRefused(effect(type, keys, key), ".effects[0]", {"the key " + key + " is missing", "allowed: " + key});
+    }
+  }
+}
+
+TEST(Effects, UnknownKeysAreRefused) {
+  for (const auto& [type, keys] : types()) {
+    std::string allowed = "allowed: type";
+    for (const auto& [key, value] : keys) allowed += ", " + key;
+    expectKeyRefused(effect(type, keys, "colour", "red"), ".effects[0].colour", {"unknown key", allowed});
+  }
+  expectKeyRefused(effect("viscous_damping", {}, "coeficient", "1"), ".effects[0].coeficient",
+                   {"did you mean \"coefficient\"?"});
+  expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, 1], ramp: 1}]}]",
+                   ".effects[0].segments[0].ramp", {"unknown key", "allowed: from, to, frame, torque"});
+}
+
+TEST(Effects, WhatIsNoFiniteNumberIsRefused) {
+  for (const auto& [type, keys] : types()) {
+    for (const auto& [key, value] : keys) {
+      if (key == "frame" || key == "segments") continue;
+      const bool list = value[0] == '[';
+      for (const std::string bad : {".nan", ".inf", "-.inf", "1e999", "x"}) {
+        if (list) {
+          expectKeyRefused(effect(type, keys, key, "[0, " + bad + ", 1]"), ".effects[0]." + key + "[1]",
+                           {bad, "allowed: a finite number"});
+        } else {
+          expectKeyRefused(effect(type, keys, key, bad), ".effects[0]." + key, {bad, "allowed: a "});
+        }
+      }
+      if (list) {
+        expectKeyRefused(effect(type, keys, key, "[1, 2]"), ".effects[0]." + key, {"a list of 2 is too short"});
+        expectKeyRefused(effect(type, keys, key, "[1, 2, 3, 4]"), ".effects[0]." + key, {"a list of 4 is too long"});
+        expectKeyRefused(effect(type, keys, key, "3"), ".effects[0]." + key, {"3 is not a list"});
+      }
+    }
+  }
+  for (const std::string bad : {".nan", ".inf"}) {
+    expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: " + bad + ", to: 1, frame: body, torque: [0, 0, 1]}]}]",
+                     ".effects[0].segments[0].from", {bad + " is not finite", "allowed: a finite number (s)"});
+    expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, " + bad + "]}]}]",
+                     ".effects[0].segments[0].torque[2]", {bad + " is not finite", "allowed: a finite number (N·m)"});
+  }
+}
+
+TEST(Effects, WhatIsOutOfItsRangeIsRefused) {
+  const auto refused = [](const std::string& type, const std::string& key, const std::string& value,
+                          const std::string& place, const std::vector<std::string>& pieces) {
+    expectKeyRefused(effect(type, types().at(type), key, value), ".effects[0]" + place, pieces);
+  };
+  for (const std::string bad : {"0", "-1"}) {
+    refused("gravity_torque", "mass", bad, ".mass", {bad + " is not positive", "a positive finite number (kg)"});
+    refused("gravity_gradient", "orbit_rate", bad, ".orbit_rate",
+            {bad + " is not positive", "a positive finite number (rad/s)"});
+    refused("internal_dissipation", "slug_inertia", bad, ".slug_inertia",
+            {bad + " is not positive", "a positive finite number (kg·m²)"});
+  }
+  refused("internal_dissipation", "damping", "-0.1", ".damping", {"-0.1 is negative", "N·m·s"});
+  refused("viscous_damping", "coefficient", "-0.1", ".coefficient", {"-0.1 is negative", "N·m·s"});
+  refused("viscous_damping", "coefficient", "[0, 1, -1e-9]", ".coefficient[2]", {"-1e-9 is negative", "N·m·s"});
+  EXPECT_NO_THROW(readBody({effect("internal_dissipation", types().at("internal_dissipation"), "damping", "0")}));
+  EXPECT_NO_THROW(readBody({effect("viscous_damping", types().at("viscous_damping"), "coefficient", "0")}));
+
+  for (const std::string key : {"orbit_normal", "radial_at_start"}) {
+    refused("gravity_gradient", key, "[0, 0, 0]", "." + key, {"a zero vector is no direction", "not all zero"});
+  }
+  for (const std::string radial : {"[0, 0, 1]", "[1, 0, 1]", "[1, 0, 1e-6]"}) {
+    refused("gravity_gradient", "radial_at_start", radial, ".radial_at_start",
+            {"must be perpendicular", "allowed: a direction in the plane of the orbit"});
+  }
+  for (const std::string bad : {"inertial", "World", "1", "[body]"}) {
+    refused("constant_torque", "frame", bad, ".frame", {"allowed: body, world"});
+  }
+}
+
+// Each is finite, and what they make is not: doubles do not hold it.
+TEST(Effects, SumsBeyondDoublesAreRefused) {
+  expectKeyRefused("effects: [{type: gravity_torque, mass: 1e200, gravity: [0, 0, -1e200], centre_of_mass: [0, 0, 1]}]",
+                   ".effects[0]", {"finite", "allowed: effects that go together"});
+}
+
+TEST(Effects, BadSchedulesAreRefused) {
+  const auto refused = [](const std::string& segments, const std::string& place, const std::vector<std::string>& pieces) {
+    expectKeyRefused("effects: [{type: torque_schedule, segments: " + segments + "}]", ".effects[0].segments" + place,
+                     pieces);
+  };
+  const std::string rest = ", frame: body, torque: [0, 0, 1]}";
+  refused("[]", "", {"an empty list switches nothing", "allowed: a list of segments"});
+  refused("{from: 1, to: 2" + rest, "", {"a map is not a list", "allowed: a list of segments"});
+  refused("[3]", "[0]", {"3 is not a map"});
+  refused("[{from: 2, to: 1" + rest + "]", "[0].to", {"1 s is not after from, 2 s", "allowed: a time after from"});
+  refused("[{from: 2, to: 2" + rest + "]", "[0].to", {"2 s is not after from, 2 s", "allowed: a time after from"});
+  refused("[{from: 0, to: 2" + rest + ", {from: 1, to: 3" + rest + "]", "[1].from",
+          {"1 s is before the segment ahead of it ends, at 2 s", "allowed: segments in the order of time"});
+  refused("[{from: 5, to: 6" + rest + ", {from: 1, to: 2" + rest + "]", "[1].from",
+          {"1 s is before the segment ahead of it ends, at 6 s", "allowed: segments in the order of time"});
+  refused("[{from: 1, frame: body, torque: [0, 0, 1]}]", "[0]", {"the key to is missing"});
+  // Torques at the same time are two schedules.
+  const std::string one = "{type: torque_schedule, segments: [{from: 0, to: 2" + rest + "]}";
+  EXPECT_EQ(readBody({"effects: [" + one + ", " + one + "]"}).effects.size(), 2u);
+}
+
+TEST(Effects, OneOrbitOneSlugOnePivot) {
+  for (const std::string type : {"gravity_torque", "gravity_gradient", "internal_dissipation"}) {
+    const std::string text = effect(type, types().at(type));
+    const std::string map = text.substr(10, text.size() - 11);
+    expectKeyRefused("effects: [" + map + ", " + map + "]", ".effects[1]",
+                     {"a second " + type, "allowed: one " + type + " a body"});
+  }
+}
+
+TEST(Effects, ATranslationDoesNotGoWithAPivot) {
+  const std::string weight = "{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 1]}", moves = "{type: translation}";
+  for (const std::string& both : {weight + ", " + moves, moves + ", " + weight}) {
+    expectKeyRefused("effects: [" + both + "]", ".effects[1]",
+                     {"gravity_torque holds the body at a fixed pivot", "allowed: one of gravity_torque, translation"});
+  }
+}
+
+// --- a method for them -----------------------------------------------------------------------------------------------
+
+const std::string kTop = "effects: [{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 0.1]}]";
+const std::string kDamped = "effects: [{type: viscous_damping, coefficient: 0.1}]";
+
+void expectMethodRefused(const std::vector<std::string>& lines, int line, const std::string& place,
+                         const std::vector<std::string>& pieces) {
+  scene_text::expectRefused(scene_text::body(lines), line, "bodies[0] \"brick\"" + place, pieces);
+}
+
+TEST(EffectMethods, TheClosedFormSaysWhyNot) {
+  expectMethodRefused({"method: closed_form", kTop}, 3, ".method",
+                      {"closed_form is the motion of a free body, and gravity_torque makes it another",
+                       "allowed: taylor8, taylor12, taylor16, taylor20, taylor24, aba84, buss2, rk4, stepper"});
+  // A translation leaves the rotation free.
+  EXPECT_EQ(readBody({"method: closed_form", "effects: [{type: translation}]"}).method, "closed_form");
+}
+
+TEST(EffectMethods, ThoseForFreeBodiesAreRefused) {
+  for (const Method& method : methods()) {
+    if (findTorqueMethod(method.name)) continue;
+    expectMethodRefused({"method: " + std::string(method.name), "step: 0.001", kTop}, 3, ".method",
+                        {std::string(method.name) + " is a method for free bodies and takes no gravity_torque",
+                         "allowed: taylor8, "});
+  }
+}
+
+TEST(EffectMethods, ThoseForTorquesAreRefusedWithoutThem) {
+  for (const TorqueMethod& method : torqueMethods()) {
+    if (findMethod(method.name)) continue;
+    expectMethodRefused({"method: " + std::string(method.name), "step: 0.001"}, 3, ".method",
+                        {std::string(method.name) + " is a method for bodies with effects, and nothing acts on this one",
+                         "allowed: closed_form, lie_euler"});
+  }
+  expectMethodRefused({"method: taylor9", "step: 0.001", kTop}, 3, ".method",
+                      {"taylor9 is unknown, did you mean \"taylor8\"?"});
+}
+
+TEST(EffectMethods, EveryOneOfTheTableIsAllowed) {
+  for (const TorqueMethod& method : torqueMethods()) {
+    const auto top = readBody({"method: " + std::string(method.name), "step: 0.0078125", kTop});
+    EXPECT_EQ(top.method, method.name);
+    EXPECT_EQ(top.step.value(), 0.0078125);
+    EXPECT_FALSE(top.accuracy);
+  }
+}
+
+TEST(EffectMethods, Aba84TakesNoDamping) {
+  for (const std::string& damped : {kDamped, std::string("effects: [{type: internal_dissipation, slug_inertia: 1, damping: 1}]")}) {
+    for (const std::string how : {"step: 0.001", "accuracy: 1e-6"}) {
+      const bool wish = how[0] == 'a';
+      std::vector<std::string> lines = {"method: aba84", how, damped};
+      if (wish) lines.insert(lines.begin() + 2, "horizon: 3");
+      expectMethodRefused(lines, 3, ".method",
+                          {"aba84 takes torques that depend on time and attitude alone",
+                           "allowed: taylor8, taylor12, taylor16, taylor20, taylor24, buss2, rk4"});
+    }
+  }
+}
+
+TEST(EffectMethods, AStepAlwaysStandsBesideAMethod) {
+  expectMethodRefused({"method: taylor8", kTop}, 3, ".method",
+                      {"taylor8 goes in steps and the key step is missing", "allowed: step, a positive finite number (s)"});
+  expectMethodRefused({"step: 0.01", kTop}, 3, ".step",
+                      {"no method is named that would take it", "one beside a method: taylor8, "});
+  expectMethodRefused({"method: taylor8", "step: 0.01", "accuracy: 1e-6", "horizon: 3", kTop}, 4, ".step",
+                      {"the key accuracy stands beside it"});
+}
+
+TEST(EffectMethods, AHopelessStepIsRefusedAndAShorterOneNamed) {
+  expectMethodRefused({"method: rk4", "step: 100", kTop}, 4, ".step",
+                      {"rk4 with a step of 100 s", "allowed: a step of at most ", "no method and no step"});
+  expectMethodRefused({"method: buss2", "step: 1e12", kTop}, 4, ".step", {"buss2 with a step of 1000000000000 s", "allowed: a step of at most "});
+  // Cut as needed.
+  EXPECT_EQ(readBody({"method: taylor16", "step: 100", kTop}).step.value(), 100);
+}
+
+TEST(EffectMethods, WithoutMethodAndAccuracyTheChoiceIsAsGoodAsCanBe) {
+  for (const std::string& effects : {kTop, kDamped}) {
+    const auto body = readBody({effects});
+    ASSERT_TRUE(body.accuracy);
+    EXPECT_TRUE(body.accuracy->by_default);
+    EXPECT_EQ(body.accuracy->error, 1e-9);
+    EXPECT_EQ(body.accuracy->horizon, 60);
+    EXPECT_FALSE(body.step);
+    for (const std::string& name : body.accuracy->candidates) EXPECT_NE(findTorqueMethod(name), nullptr) << name;
+    const auto& names = body.accuracy->candidates;
+    EXPECT_EQ(std::count(names.begin(), names.end(), "aba84"), effects == kTop ? 1 : 0);
+  }
+  // A program's horizon is the default's.
+  scene::ReadOptions options;
+  options.horizon = 7;
+  const auto scene = scene::readTree(YAML::Load(scene_text::body({kTop})), "tree", options);
+  EXPECT_EQ(scene.bodies.at(0).accuracy->horizon, 7);
+}
+
+TEST(EffectMethods, AnAccuracyLeavesTheChoiceOfThoseThatTakeTheTorques) {
+  for (const std::string method : {"", "method: stepper"}) {
+    std::vector<std::string> lines = {"accuracy: 1e-7", "horizon: 12", kDamped};
+    if (!method.empty()) lines.push_back(method);
+    const auto body = readBody(lines);
+    ASSERT_TRUE(body.accuracy);
+    EXPECT_FALSE(body.accuracy->by_default);
+    EXPECT_EQ(body.accuracy->candidates,
+              (std::vector<std::string>{"taylor8", "taylor12", "taylor16", "taylor20", "taylor24", "buss2", "rk4"}));
+  }
+  const auto named = readBody({"accuracy: 1e-7", "horizon: 12", "method: rk4", kDamped});
+  EXPECT_EQ(named.accuracy->candidates, std::vector<std::string>{"rk4"});
+  expectMethodRefused({"accuracy: 1e-7", kDamped}, 2, "", {"horizon is missing"});
+}
+
+// --- a shape on a pivot ----------------------------------------------------------------------------------------------
+
+TEST(Pivot, MomentsOfAShapeAreAboutIt) {
+  const auto body = readBody({"shape: {type: box, size: [1, 2, 3], mass: 12}",
+                              "effects: [{type: gravity_torque, mass: 12, centre_of_mass: [0.5, 0, -2]}]"});
+  // About the centre of mass 13, 10, 5; Steiner: m(c² − cᵢcⱼ).
+  Eigen::Matrix3d expected;
+  expected << 13 + 12 * 4, 0, 12 * 0.5 * 2, 0, 10 + 12 * 4.25, 0, 12 * 0.5 * 2, 0, 5 + 12 * 0.25;
+  const Eigen::Matrix3d axes = body.inertia.axes().toRotationMatrix();
+  const Eigen::Matrix3d tensor = axes * body.inertia.moments().asDiagonal() * axes.transpose();
+  EXPECT_LE((tensor - expected).norm(), 1e-13) << tensor;
+  EXPECT_EQ(body.shape_position, Eigen::Vector3d(0.5, 0, -2));
+  // Without a weight, and with moments given as such, nothing is moved.
+  EXPECT_EQ(readBody({"shape: {type: box, size: [1, 2, 3], mass: 12}"}).inertia.moments(), Eigen::Vector3d(13, 10, 5));
+  EXPECT_EQ(readBody({kTop}).inertia.moments(), Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(Pivot, AnotherMassThanTheShapesIsRefused) {
+  scene_text::expectRefused(
+      scene_text::body({"shape: {type: box, size: [1, 2, 3], mass: 12}",
+                        "effects: [{type: gravity_torque, mass: 12.1, centre_of_mass: [0.5, 0, -2]}]"}),
+      4, "bodies[0] \"brick\".effects",
+      {"the mass of gravity_torque, 12.1 kg, is not that of the shape, 12 kg", "allowed: the same mass in both"});
+}
+
+TEST(Pivot, BeyondWhatDoublesHoldIsRefused) {
+  scene_text::expectRefused(
+      scene_text::body({"shape: {type: box, size: [1, 2, 3], mass: 12}",
+                        "effects: [{type: gravity_torque, mass: 12, centre_of_mass: [1e160, 0, 0]}]"}),
+      4, "bodies[0] \"brick\".effects", {"about the pivot of gravity_torque", "allowed: a centre_of_mass so near"});
 }

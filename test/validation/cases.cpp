@@ -9,7 +9,9 @@ std::ostream& operator<<(std::ostream& out, const Case& one) {
 }
 
 std::vector<Case> allCases() {
-  return freeCases();
+  std::vector<Case> all = freeCases();
+  all.insert(all.end(), torqueCases().begin(), torqueCases().end());
+  return all;
 }
 
 testing::AssertionResult agrees(const Case& one, const std::vector<double>& figures) {

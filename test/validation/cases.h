@@ -41,6 +41,9 @@ std::ostream& operator<<(std::ostream& out, const Case& one);
 /** Motions without torque. */
 const std::vector<Case>& freeCases();
 
+/** Motions under torque. */
+const std::vector<Case>& torqueCases();
+
 /** All that doc/validation.md shows, in its order. */
 std::vector<Case> allCases();
 

@@ -37,9 +37,11 @@ struct RotationState {
     return state;
   }
 
-  /** L = RΛ as it is now becomes the one to keep. Whoever changes L (a torque, an impulse) says so by this. */
-  void keepMomentum() {
-    kept_momentum = momentumWorld();
+  /** L = RΛ as it is now becomes the one to keep. */
+  void keepMomentum() { keepMomentum(momentumWorld()); }
+  /** Whoever changes L (an impulse) says so by this, with the L that there was to keep and the change of it. */
+  void keepMomentum(const Eigen::Vector3d& momentum_world) {
+    kept_momentum = momentum_world;
     const double square = kept_momentum.squaredNorm();
     kept_inverse_square = square > 0 ? 1 / square : 0;
     kept_inverse_inertia = 0;

@@ -30,8 +30,9 @@ class Aba84 final : public TorqueStepper {
       elapsed += turn * h;
       const Eigen::Vector3d torque =
           torques().at(t + elapsed, constant, rotation.attitude, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
-      addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest, (kick * h) * torque);
-      rotation.keepMomentum();
+      const Eigen::Vector3d impulse = (kick * h) * torque;
+      addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest, impulse);
+      rotation.keepMomentum(rotation.kept_momentum + rotation.attitude * impulse);
     }
     work += free_->advance(rotation, kA[0] * h, 1);
     state.rotation = rotation;
