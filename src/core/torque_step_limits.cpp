@@ -14,7 +14,7 @@ using Grade = StepJudgement::Grade;
 
 constexpr int kSteps = 64;
 constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad
-constexpr int kMostHalvings = 400;  // those of steps that are hopeless at once cost nothing
+constexpr int kMostHalvings = 400;                // those of steps that are hopeless at once cost nothing
 
 std::string format(const char* text, double value) {
   char out[128];

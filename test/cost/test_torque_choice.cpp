@@ -115,7 +115,8 @@ TEST(TorqueChoice, startsThatTellNothing) {
     setup.omega_body.setZero();
     const cost::Choice choice = choose(setup, 1e-8);
     EXPECT_LE(choice.verified_error, 1e-8) << c.name;
-    EXPECT_LE(trueError(setup, choice.method, *choice.step), 1e-8) << c.name << " " << choice.method << " " << *choice.step;
+    EXPECT_LE(trueError(setup, choice.method, *choice.step), 1e-8)
+        << c.name << " " << choice.method << " " << *choice.step;
   }
 }
 

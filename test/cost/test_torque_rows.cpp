@@ -21,22 +21,8 @@ std::string shown(double value) {
   return text;
 }
 
-/** A schedule's segments, in the order of time: rows have them in any. */
-void sortSegments(YAML::Node tree) {
-  for (YAML::Node effect : tree["bodies"][0]["effects"]) {
-    if (!effect["segments"]) continue;
-    std::map<double, YAML::Node> segments;
-    for (const YAML::Node& segment : effect["segments"]) segments.emplace(segment["from"].as<double>(), segment);
-    YAML::Node sorted;
-    for (const auto& entry : segments) sorted.push_back(entry.second);
-    effect["segments"] = sorted;
-  }
-}
-
 scene::Scene read(const TorqueRow& row, const std::string& method) {
-  YAML::Node tree = YAML::Load(row.scene(method));
-  sortSegments(tree);
-  return scene::readTree(tree, row.id);
+  return scene::readTree(YAML::Load(row.scene(method)), row.id);
 }
 
 scene::Body settled(const TorqueRow& row, const std::string& accuracy) {
@@ -74,8 +60,8 @@ void judge(const std::vector<TorqueRow>& rows, const std::string& accuracy, bool
     attitude.meet(angle / allowed, row.id);
     omega.meet(speed / allowed, row.id);
   }
-  std::printf("accuracy %s, %zu rows: worst error of the attitude %.3f of it (%s), of Omega %.3f (%s);", accuracy.c_str(),
-              rows.size(), attitude.ratio, attitude.id.c_str(), omega.ratio, omega.id.c_str());
+  std::printf("accuracy %s, %zu rows: worst error of the attitude %.3f of it (%s), of Omega %.3f (%s);",
+              accuracy.c_str(), rows.size(), attitude.ratio, attitude.id.c_str(), omega.ratio, omega.id.c_str());
   for (const auto& [name, count] : methods) std::printf(" %d %s", count, name.c_str());
   std::printf("\n");
 }
@@ -94,9 +80,8 @@ TEST_P(TorqueRows, ofTorqueRowsCsvAreMetByWhatIsChosen) {
   judge(rows, GetParam(), true);
 }
 
-INSTANTIATE_TEST_SUITE_P(To, TorqueRows, testing::Values("1e-4", "1e-9", "1e-12"), [](const auto& info) {
-  return "accuracy1em" + std::string(info.param).substr(3);
-});
+INSTANTIATE_TEST_SUITE_P(To, TorqueRows, testing::Values("1e-4", "1e-9", "1e-12"),
+                         [](const auto& info) { return "accuracy1em" + std::string(info.param).substr(3); });
 
 // The comparison can fail: a sign, a frame, a digit.
 TEST(TorqueRowsJudge, seesASmallChangeOfTheTorque) {

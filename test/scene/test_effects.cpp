@@ -85,11 +85,12 @@ TEST(Effects, AreAListOfMapsWithAType) {
 }
 
 TEST(Effects, EveryKeyIsRead) {
-  const auto torque = only<ConstantTorque>(
-      readBody({"effects: [{type: constant_torque, frame: world, torque: [1e-3, \"2\", -3]}]"}));
+  const auto torque =
+      only<ConstantTorque>(readBody({"effects: [{type: constant_torque, frame: world, torque: [1e-3, \"2\", -3]}]"}));
   EXPECT_EQ(torque.axes, Axes::world);
   EXPECT_EQ(torque.torque, Eigen::Vector3d(1e-3, 2, -3));
-  EXPECT_EQ(only<ConstantTorque>(readBody({effect("constant_torque", types().at("constant_torque"))})).axes, Axes::body);
+  EXPECT_EQ(only<ConstantTorque>(readBody({effect("constant_torque", types().at("constant_torque"))})).axes,
+            Axes::body);
 
   const auto weight = only<GravityTorque>(readBody({effect("gravity_torque", types().at("gravity_torque"))}));
   EXPECT_EQ(weight.mass, 2);
@@ -113,10 +114,10 @@ TEST(Effects, EveryKeyIsRead) {
   EXPECT_EQ(slug.slug_inertia, 0.1);
   EXPECT_EQ(slug.damping, 0.2);
 
-  const auto schedule = only<TorqueSchedule>(
-      readBody({"effects:", "  - type: torque_schedule", "    segments:",
-                "      - {from: -1, to: 1.5, frame: body, torque: [1, 2, 3]}",
-                "      - {from: 1.5, to: 1e3, frame: world, torque: [4, 5, 6]}"}));
+  const auto schedule =
+      only<TorqueSchedule>(readBody({"effects:", "  - type: torque_schedule",
+                                     "    segments:", "      - {from: -1, to: 1.5, frame: body, torque: [1, 2, 3]}",
+                                     "      - {from: 1.5, to: 1e3, frame: world, torque: [4, 5, 6]}"}));
   ASSERT_EQ(schedule.segments.size(), 2u);
   EXPECT_EQ(schedule.segments[0].from, -1);
   EXPECT_EQ(schedule.segments[0].to, 1.5);
@@ -127,11 +128,11 @@ TEST(Effects, EveryKeyIsRead) {
 }
 
 TEST(Effects, SeveralAddUpInTheOrderGiven) {
-  const auto body = readBody({"effects:", "  - {type: viscous_damping, coefficient: 1}",
-                              "  - {type: constant_torque, frame: body, torque: [1, 0, 0]}",
-                              "  - {type: constant_torque, frame: world, torque: [0, 1, 0]}",
-                              "  - {type: translation, velocity: [1, 0, 0]}",
-                              "  - {type: viscous_damping, coefficient: [0, 0, 1]}"});
+  const auto body =
+      readBody({"effects:", "  - {type: viscous_damping, coefficient: 1}",
+                "  - {type: constant_torque, frame: body, torque: [1, 0, 0]}",
+                "  - {type: constant_torque, frame: world, torque: [0, 1, 0]}",
+                "  - {type: translation, velocity: [1, 0, 0]}", "  - {type: viscous_damping, coefficient: [0, 0, 1]}"});
   ASSERT_EQ(body.effects.size(), 4u);
   EXPECT_EQ(nameOf(body.effects[0]), "viscous_damping");
   EXPECT_EQ(nameOf(body.effects[2]), "constant_torque");
@@ -155,8 +156,9 @@ TEST(Effects, UnknownKeysAreRefused) {
   }
   expectKeyRefused(effect("viscous_damping", {}, "coeficient", "1"), ".effects[0].coeficient",
                    {"did you mean \"coefficient\"?"});
-  expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, 1], ramp: 1}]}]",
-                   ".effects[0].segments[0].ramp", {"unknown key", "allowed: from, to, frame, torque"});
+  expectKeyRefused(
+      "effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, 1], ramp: 1}]}]",
+      ".effects[0].segments[0].ramp", {"unknown key", "allowed: from, to, frame, torque"});
 }
 
 TEST(Effects, WhatIsNoFiniteNumberIsRefused) {
@@ -180,10 +182,12 @@ TEST(Effects, WhatIsNoFiniteNumberIsRefused) {
     }
   }
   for (const std::string bad : {".nan", ".inf"}) {
-    expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: " + bad + ", to: 1, frame: body, torque: [0, 0, 1]}]}]",
-                     ".effects[0].segments[0].from", {bad + " is not finite", "allowed: a finite number (s)"});
-    expectKeyRefused("effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, " + bad + "]}]}]",
-                     ".effects[0].segments[0].torque[2]", {bad + " is not finite", "allowed: a finite number (N·m)"});
+    expectKeyRefused(
+        "effects: [{type: torque_schedule, segments: [{from: " + bad + ", to: 1, frame: body, torque: [0, 0, 1]}]}]",
+        ".effects[0].segments[0].from", {bad + " is not finite", "allowed: a finite number (s)"});
+    expectKeyRefused(
+        "effects: [{type: torque_schedule, segments: [{from: 0, to: 1, frame: body, torque: [0, 0, " + bad + "]}]}]",
+        ".effects[0].segments[0].torque[2]", {bad + " is not finite", "allowed: a finite number (N·m)"});
   }
 }
 
@@ -224,7 +228,8 @@ TEST(Effects, SumsBeyondDoublesAreRefused) {
 }
 
 TEST(Effects, BadSchedulesAreRefused) {
-  const auto refused = [](const std::string& segments, const std::string& place, const std::vector<std::string>& pieces) {
+  const auto refused = [](const std::string& segments, const std::string& place,
+                          const std::vector<std::string>& pieces) {
     expectKeyRefused("effects: [{type: torque_schedule, segments: " + segments + "}]", ".effects[0].segments" + place,
                      pieces);
   };
@@ -234,11 +239,16 @@ TEST(Effects, BadSchedulesAreRefused) {
   refused("[3]", "[0]", {"3 is not a map"});
   refused("[{from: 2, to: 1" + rest + "]", "[0].to", {"1 s is not after from, 2 s", "allowed: a time after from"});
   refused("[{from: 2, to: 2" + rest + "]", "[0].to", {"2 s is not after from, 2 s", "allowed: a time after from"});
-  refused("[{from: 0, to: 2" + rest + ", {from: 1, to: 3" + rest + "]", "[1].from",
-          {"1 s is before the segment ahead of it ends, at 2 s", "allowed: segments in the order of time"});
-  refused("[{from: 5, to: 6" + rest + ", {from: 1, to: 2" + rest + "]", "[1].from",
-          {"1 s is before the segment ahead of it ends, at 6 s", "allowed: segments in the order of time"});
+  for (const std::string other : {"{from: 1, to: 3", "{from: -1, to: 0.5", "{from: 0.5, to: 1", "{from: -1, to: 5"}) {
+    refused("[{from: 0, to: 2" + rest + ", " + other + rest + "]", "[1].from",
+            {" s overlaps another segment, from 0 to 2 s", "allowed: segments that do not overlap; a second"});
+  }
   refused("[{from: 1, frame: body, torque: [0, 0, 1]}]", "[0]", {"the key to is missing"});
+  // In any order; one may begin where another ends.
+  const auto any =
+      only<TorqueSchedule>(readBody({"effects: [{type: torque_schedule, segments: [{from: 5, to: 6" + rest +
+                                     ", {from: 4, to: 5" + rest + ", {from: -2, to: 1" + rest + "]}]"}));
+  EXPECT_EQ(any.segments.size(), 3u);
   // Torques at the same time are two schedules.
   const std::string one = "{type: torque_schedule, segments: [{from: 0, to: 2" + rest + "]}";
   EXPECT_EQ(readBody({"effects: [" + one + ", " + one + "]"}).effects.size(), 2u);
@@ -254,7 +264,8 @@ TEST(Effects, OneOrbitOneSlugOnePivot) {
 }
 
 TEST(Effects, ATranslationDoesNotGoWithAPivot) {
-  const std::string weight = "{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 1]}", moves = "{type: translation}";
+  const std::string weight = "{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 1]}",
+                    moves = "{type: translation}";
   for (const std::string& both : {weight + ", " + moves, moves + ", " + weight}) {
     expectKeyRefused("effects: [" + both + "]", ".effects[1]",
                      {"gravity_torque holds the body at a fixed pivot", "allowed: one of gravity_torque, translation"});
@@ -282,18 +293,19 @@ TEST(EffectMethods, TheClosedFormSaysWhyNot) {
 TEST(EffectMethods, ThoseForFreeBodiesAreRefused) {
   for (const Method& method : methods()) {
     if (findTorqueMethod(method.name)) continue;
-    expectMethodRefused({"method: " + std::string(method.name), "step: 0.001", kTop}, 3, ".method",
-                        {std::string(method.name) + " is a method for free bodies and takes no gravity_torque",
-                         "allowed: taylor8, "});
+    expectMethodRefused(
+        {"method: " + std::string(method.name), "step: 0.001", kTop}, 3, ".method",
+        {std::string(method.name) + " is a method for free bodies and takes no gravity_torque", "allowed: taylor8, "});
   }
 }
 
 TEST(EffectMethods, ThoseForTorquesAreRefusedWithoutThem) {
   for (const TorqueMethod& method : torqueMethods()) {
     if (findMethod(method.name)) continue;
-    expectMethodRefused({"method: " + std::string(method.name), "step: 0.001"}, 3, ".method",
-                        {std::string(method.name) + " is a method for bodies with effects, and nothing acts on this one",
-                         "allowed: closed_form, lie_euler"});
+    expectMethodRefused(
+        {"method: " + std::string(method.name), "step: 0.001"}, 3, ".method",
+        {std::string(method.name) + " is a method for bodies with effects, and nothing acts on this one",
+         "allowed: closed_form, lie_euler"});
   }
   expectMethodRefused({"method: taylor9", "step: 0.001", kTop}, 3, ".method",
                       {"taylor9 is unknown, did you mean \"taylor8\"?"});
@@ -309,7 +321,8 @@ TEST(EffectMethods, EveryOneOfTheTableIsAllowed) {
 }
 
 TEST(EffectMethods, Aba84TakesNoDamping) {
-  for (const std::string& damped : {kDamped, std::string("effects: [{type: internal_dissipation, slug_inertia: 1, damping: 1}]")}) {
+  for (const std::string& damped :
+       {kDamped, std::string("effects: [{type: internal_dissipation, slug_inertia: 1, damping: 1}]")}) {
     for (const std::string how : {"step: 0.001", "accuracy: 1e-6"}) {
       const bool wish = how[0] == 'a';
       std::vector<std::string> lines = {"method: aba84", how, damped};
@@ -322,8 +335,9 @@ TEST(EffectMethods, Aba84TakesNoDamping) {
 }
 
 TEST(EffectMethods, AStepAlwaysStandsBesideAMethod) {
-  expectMethodRefused({"method: taylor8", kTop}, 3, ".method",
-                      {"taylor8 goes in steps and the key step is missing", "allowed: step, a positive finite number (s)"});
+  expectMethodRefused(
+      {"method: taylor8", kTop}, 3, ".method",
+      {"taylor8 goes in steps and the key step is missing", "allowed: step, a positive finite number (s)"});
   expectMethodRefused({"step: 0.01", kTop}, 3, ".step",
                       {"no method is named that would take it", "one beside a method: taylor8, "});
   expectMethodRefused({"method: taylor8", "step: 0.01", "accuracy: 1e-6", "horizon: 3", kTop}, 4, ".step",
@@ -333,7 +347,8 @@ TEST(EffectMethods, AStepAlwaysStandsBesideAMethod) {
 TEST(EffectMethods, AHopelessStepIsRefusedAndAShorterOneNamed) {
   expectMethodRefused({"method: rk4", "step: 100", kTop}, 4, ".step",
                       {"rk4 with a step of 100 s", "allowed: a step of at most ", "no method and no step"});
-  expectMethodRefused({"method: buss2", "step: 1e12", kTop}, 4, ".step", {"buss2 with a step of 1000000000000 s", "allowed: a step of at most "});
+  expectMethodRefused({"method: buss2", "step: 1e12", kTop}, 4, ".step",
+                      {"buss2 with a step of 1000000000000 s", "allowed: a step of at most "});
   // Cut as needed.
   EXPECT_EQ(readBody({"method: taylor16", "step: 100", kTop}).step.value(), 100);
 }

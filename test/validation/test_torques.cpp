@@ -57,7 +57,8 @@ std::string written(const Effect& effect) {
   if (const auto* e = std::get_if<ConstantTorque>(&effect)) {
     keys = "frame: " + std::string(e->axes == Axes::body ? "body" : "world") + ", torque: " + list(e->torque);
   } else if (const auto* e = std::get_if<GravityTorque>(&effect)) {
-    keys = "mass: " + number(e->mass) + ", gravity: " + list(e->gravity) + ", centre_of_mass: " + list(e->centre_of_mass);
+    keys =
+        "mass: " + number(e->mass) + ", gravity: " + list(e->gravity) + ", centre_of_mass: " + list(e->centre_of_mass);
   } else if (const auto* e = std::get_if<GravityGradient>(&effect)) {
     keys = "orbit_rate: " + number(e->orbit_rate) + ", orbit_normal: " + list(e->orbit_normal) +
            ", radial_at_start: " + list(e->radial_at_start);
@@ -75,8 +76,9 @@ TEST_P(UnderTorque, isWhatASceneShows) {
   const Eigen::Quaterniond& q = one.setup.attitude;
   const std::string text = "bodies: [{name: body, inertia: " + list(one.setup.inertia.moments()) +
                            ", attitude: " + list(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())) +
-                           ", angular_velocity: " + list(one.setup.omega_body) + ", method: taylor20, step: " +
-                           number(*one.setup.step) + ", effects: [" + written(one.setup.effects.at(0)) + "]}]";
+                           ", angular_velocity: " + list(one.setup.omega_body) +
+                           ", method: taylor20, step: " + number(*one.setup.step) + ", effects: [" +
+                           written(one.setup.effects.at(0)) + "]}]";
   const scene::Scene read = scene::readTree(YAML::Load(text), one.name);
   EXPECT_TRUE(agrees(one, one.measure(scene::motionSetup(read.bodies.at(0)))));
 }

@@ -33,8 +33,7 @@ MotionSetup setup(const Vector3d& moments, const Vector3d& omega, const Effect& 
 // it must neither rise nor fall.
 Case lagrange(const std::string& name, const std::string& rate) {
   const double inclination = 30 * kDegree;
-  Case one{name,
-           "I₁ = .02, I₃ = .006 kg·m²; mgl = .981 N·m; θ = 30°; Ω₃ = 60 rad/s",
+  Case one{name, "I₁ = .02, I₃ = .006 kg·m²; mgl = .981 N·m; θ = 30°; Ω₃ = 60 rad/s",
            setup({.02, .02, .006}, {0, std::stod(rate) * std::sin(inclination), 60},
                  GravityTorque{1, {0, 0, -9.81}, {0, 0, .1}}, 0.005,
                  Quaterniond(AngleAxisd(inclination, Vector3d::UnitX())))};
@@ -64,8 +63,8 @@ Case lagrange(const std::string& name, const std::string& rate) {
 Case libration() {
   const double rate = 0.00114;
   Case one{"libration", "I = 16403.01 (yaw), 70915.56 (roll), 76392.38 kg·m² (pitch); n = .00114 rad/s; 1e-5 rad",
-           setup({16403.01, 70915.56, 76392.38}, {0, 0, rate},
-                 GravityGradient{rate, {0, 0, 1}, {1, 0, 0}}, 200, Quaterniond(AngleAxisd(1e-5, Vector3d::UnitZ())))};
+           setup({16403.01, 70915.56, 76392.38}, {0, 0, rate}, GravityGradient{rate, {0, 0, 1}, {1, 0, 0}}, 200,
+                 Quaterniond(AngleAxisd(1e-5, Vector3d::UnitZ())))};
   one.measure = [rate](const MotionSetup& given) -> std::vector<double> {
     Motion motion(given);
     const Reading pitch = [rate](const MotionState& state) {
@@ -87,7 +86,8 @@ Case dampedSphere() {
   one.measure = [](const MotionSetup& given) -> std::vector<double> {
     const MotionState state = Motion(given).at(30);
     const Vector3d axis = given.omega_body.normalized();
-    return {state.omega_body.norm() / given.omega_body.norm(), axis.cross(state.omega_body).norm() / state.omega_body.norm()};
+    return {state.omega_body.norm() / given.omega_body.norm(),
+            axis.cross(state.omega_body).norm() / state.omega_body.norm()};
   };
   one.claims = {within(0, "Ω at 30 s, its size by that at the start", "exp(−ct/I)", "0.223130160148", 5e-13, 12),
                 between(1, "Ω off its axis, by its size", "exp(−ct/I)", "0", 0, 1e-14, 12)};
@@ -135,10 +135,11 @@ Case explorer() {
             (end.momentum_world - start.momentum_world).norm() / start.momentum_world.norm(),
             std::max(0.0, rise) / before};
   };
-  one.claims = {between(0, "spin from the axis of largest moment, at 6000 s [°]", "Explorer 1, 1958", "flat spin", 0, 0.1, 6),
-                within(1, "E of body and slug, by L²/2(μ₃ + J)", "Kane's damper", "1", 5e-7, 9),
-                between(2, "change of L, by its size", "Kane's damper", "0", 0, 1e-7, 9),
-                between(3, "greatest rise of E in a second, by E", "Kane's damper", "never", 0, 1e-14, 9)};
+  one.claims = {
+      between(0, "spin from the axis of largest moment, at 6000 s [°]", "Explorer 1, 1958", "flat spin", 0, 0.1, 6),
+      within(1, "E of body and slug, by L²/2(μ₃ + J)", "Kane's damper", "1", 5e-7, 9),
+      between(2, "change of L, by its size", "Kane's damper", "0", 0, 1e-7, 9),
+      between(3, "greatest rise of E in a second, by E", "Kane's damper", "never", 0, 1e-14, 9)};
   one.swaps = {{0, 2}, {1, 2}};  // 0 and 1 exchanged, it ends about the same axis
   return one;
 }
