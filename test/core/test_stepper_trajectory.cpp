@@ -13,7 +13,7 @@ namespace {
 const Eigen::Vector3d kMoments(1, 2, 3);
 
 StepperTrajectory trajectory(const char* method = "buss2", double step = 1e-3) {
-  return {findMethod(method)->make(kMoments),
+  return {FreeFlow{findMethod(method)->make(kMoments)},
           RotationState::fromOmega(kMoments, Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.01, 1, 0.02}), step};
 }
 
