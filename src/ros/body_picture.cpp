@@ -41,12 +41,13 @@ constexpr double kStrayTrailShare = 1.5;  // where Ω may leave the polhode, to 
 constexpr double kTrailSpacing = 0.012;   // m
 
 // Of a body under torques.
-constexpr double kTorquedTrailLength = 1.5;  // m: the newest stretch of its path
-constexpr double kPathLift = 1.013;
-constexpr double kPathWidth = 0.016;
+constexpr double kTorquedTrailLength = 1.5;    // m: the newest stretch of its path
+constexpr double kTorquedTrailHeight = 0.026;  // m above the surface
+constexpr double kPathHeight = 0.016;
+constexpr double kPathWidth = 0.018;
 constexpr std::size_t kPathPieces = 64;
 constexpr std::size_t kPiecePoints = 256;  // 16384 together
-constexpr double kPathTolerance = 0.003;   // m
+constexpr double kPathTolerance = 0.002;   // m
 constexpr double kPathSpacing = 0.2;       // m, at most
 const ros::Duration kPathPause(0.25);
 constexpr int kMovingCurvePoints = 96;    // of curves that are sent again and again:
@@ -54,6 +55,7 @@ const ros::Duration kCurvesPause(0.25);   // that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
 constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
+constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
 constexpr double kBesideArrow = 0.17;  // m
@@ -195,7 +197,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
     effects_.emplace(
         brush_, motion,
         EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach.torque, scale_.metres_per_angular_momentum});
-    title_depth_ = std::max(title_depth_, effects_->depth());
+    title_depth_ = std::max(title_depth_, std::min(effects_->depth(), kDeepestTitle));
   }
 }
 
@@ -215,7 +217,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
     appendCurves(picture, polhode_, separatrix, out);
   }
   if (momentum_is_constant_) {
-    for (const Marker& m : momentumMarkers(start_.momentum_world)) out.markers.push_back(m);
+    for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
   }
 }
 
@@ -270,11 +272,18 @@ void BodyPicture::appendTitles(MarkerArray& out) const {
       brush_.text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
 }
 
-std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& momentum_world) const {
+std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& momentum_world,
+                                                   const Eigen::Vector3d& torque_world) const {
   const Eigen::Vector3d tip = scale_.metres_per_angular_momentum * momentum_world;
   Marker l = brush_.arrow(brush_.ns(names::kSpace, names::kAngularMomentum), 0, brush_.frames().space,
                           Eigen::Vector3d::Zero(), tip);
-  Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, 1.12 * tip, "L", kSymbolHeight);
+  // Beyond the tip; where the torque's arrow begins there, on its other side.
+  Eigen::Vector3d symbol_from_tip = 0.12 * tip;
+  if (!torque_world.isZero(0)) {
+    const Eigen::Vector3d away = tip.stableNormalized() - torque_world.stableNormalized();
+    symbol_from_tip = kBesideArrow * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
+  }
+  Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
   l.color = symbol.color = palette::angularMomentum();
   return {l, symbol};
 }
@@ -300,18 +309,20 @@ void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const Mot
   const std::size_t first = out.markers.size();
   if (!torqued_) {
     appendOmega(state, out);
-    appendTrail(scale_.metres_per_radian_per_second * state.omega_body, out);
+    appendTrail(kTrailLift * scale_.metres_per_radian_per_second * state.omega_body, out);
     if (!momentum_is_constant_) {
-      for (const Marker& m : momentumMarkers(state.momentum_world)) out.markers.push_back(m);
+      for (const Marker& m : momentumMarkers(state.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
     }
   } else {
-    appendMovingConstruction(tick, state, out);
-    effects_->appendMoving(state, view::externalTorque(motion, state), stage_, out);
+    const Eigen::Vector3d torque_world = view::externalTorque(motion, state);
+    appendMovingConstruction(tick, state, torque_world, out);
+    effects_->appendMoving(state, torque_world, stage_, out);
   }
   for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = tick.stamp;
 }
 
-void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& state, MarkerArray& out) {
+void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& state,
+                                           const Eigen::Vector3d& torque_world, MarkerArray& out) {
   const double metres = scale_.metres_per_radian_per_second;
   const Eigen::Vector3d& moments = inertia_.moments();
   const Eigen::Vector3d omega = inertia_.axes().conjugate() * state.omega_body;
@@ -323,7 +334,7 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
     for (const Marker& m : markers.markers) stage_.put(m, out);
   };
   if (scale_.metres_per_angular_momentum * state.momentum_world.norm() > kLeastMomentum) {
-    for (const Marker& m : momentumMarkers(state.momentum_world)) stage_.put(m, out);
+    for (const Marker& m : momentumMarkers(state.momentum_world, torque_world)) stage_.put(m, out);
   } else {
     stage_.withdraw(brush_.ns(names::kSpace, names::kAngularMomentum), 0, out);
     stage_.withdrawOne(brush_.ns(names::kLabel), kMomentumSymbol, out);
@@ -404,8 +415,8 @@ void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const 
   out.markers.push_back(bead_symbol);
 }
 
-void BodyPicture::appendTrail(const Eigen::Vector3d& omega_metres, MarkerArray& out) {
-  trail_.add(kTrailLift * omega_metres);
+void BodyPicture::appendTrail(const Eigen::Vector3d& place, MarkerArray& out) {
+  trail_.add(place);
   if (trail_.size() < 2) {
     // After a jump the old trail would stay where it was.
     stage_.withdrawOne(brush_.ns(names::kTrail), 0, out);
@@ -425,9 +436,16 @@ void BodyPicture::appendTrail(const Eigen::Vector3d& omega_metres, MarkerArray& 
 }
 
 void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, MarkerArray& out) {
-  appendTrail(omega_metres, out);
+  // Where an ellipsoid is long and thin, a larger Ω would be no higher above its flanks: lifted along the normal
+  // instead, of which each ellipsoid has its own.
+  const Eigen::Quaterniond& axes = inertia_.axes();
+  const Eigen::Vector3d energy_normal = inertia_.moments().cwiseProduct(axes.conjugate() * omega_metres);
+  const Eigen::Vector3d momentum_normal = inertia_.moments().cwiseProduct(energy_normal);
+  const Eigen::Vector3d normal =
+      axes * (energy_normal.stableNormalized() + momentum_normal.stableNormalized()).stableNormalized();
+  appendTrail(omega_metres + kTorquedTrailHeight * normal, out);
   const std::size_t before = path_.endPiece();
-  path_.add(kPathLift * omega_metres);
+  path_.add(omega_metres + kPathHeight * normal);
   const std::string ns = brush_.ns(names::kTrail);
   if (path_jumped_) stage_.withdraw(ns, 1, out);
   const auto send = [&](std::size_t k) {
@@ -439,6 +457,7 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
     for (const Eigen::Vector3d& p : points) piece.points.push_back(toPoint(p));
     piece.scale.x = kPathWidth;
     piece.color = palette::path();
+    piece.frame_locked = true;
     stage_.put(piece, out);
   };
   const std::size_t last = path_.endPiece() - 1;

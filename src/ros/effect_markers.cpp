@@ -16,6 +16,7 @@ using visualization_msgs::MarkerArray;
 // Lengths in metres.
 constexpr double kTorqueBeyond = 0.4;      // of the largest torque's arrow, beyond the body
 constexpr double kTorqueAtMomentum = 0.7;  // of the largest torque's arrow at the tip of L
+constexpr double kHiddenShare = 0.5;       // of the body, in which an arrow that is no longer ends unseen
 constexpr double kLeastArrow = 0.01;       // what would be shorter is not drawn
 constexpr double kWeightBeyond = 0.3;
 constexpr double kOrbitBeyond = 0.3;
@@ -53,10 +54,8 @@ EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Siz
 }
 
 double EffectMarkers::depth() const {
-  double depth = 0;
-  if (torque_) depth = sizes_.reach + kTorqueBeyond;
-  if (weight_) depth = std::max(depth, weight_->centre_of_mass.norm() + sizes_.shape_radius + kWeightBeyond);
-  return depth + (depth > 0 ? kBeside : 0);
+  if (!weight_) return 0;
+  return weight_->centre_of_mass.norm() + sizes_.shape_radius + kWeightBeyond + 2 * kBeside;
 }
 
 void EffectMarkers::appendStatic(MarkerArray& out) const {
@@ -96,8 +95,7 @@ void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d
          weight_->gravity.stableNormalized(), sizes_.shape_radius + kWeightBeyond, "mg");
   }
   if (orbit_) {
-    draw(kToCentre, kOrbitSymbol, state.position, -orbit_->radialAt(state.time), sizes_.reach + kOrbitBeyond,
-         "to the centre");
+    draw(kToCentre, kOrbitSymbol, state.position, -orbit_->radialAt(state.time), sizes_.reach + kOrbitBeyond, "centre");
   }
 }
 
@@ -118,7 +116,7 @@ void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d
                                  MarkerArray& out) const {
   const std::string ns = brush_.ns(names::kTorque);
   const auto draw = [&](int id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
-                        double longest) {
+                        double longest, double hidden) {
     const Eigen::Vector3d way = sizes_.torque > 0 ? Eigen::Vector3d(longest * (torque_world / sizes_.torque))
                                                   : Eigen::Vector3d(Eigen::Vector3d::Zero());
     if (!(way.norm() > kLeastArrow) || !way.allFinite()) {
@@ -127,14 +125,20 @@ void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d
       return;
     }
     Marker arrow = brush_.arrow(ns, id, frame, from, from + way);
-    Marker label = brush_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);
-    arrow.color = label.color = palette::torque();
+    arrow.color = palette::torque();
     stage.put(arrow, out);
+    if (way.norm() < hidden) {  // a name alone would puzzle
+      stage.withdrawOne(brush_.ns(names::kLabel), symbol_id, out);
+      return;
+    }
+    Marker label = brush_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);
+    label.color = palette::torque();
     stage.put(label, out);
   };
-  draw(kAtBody, kTorqueSymbol, names::kWorld, state.position, sizes_.reach + kTorqueBeyond);
+  draw(kAtBody, kTorqueSymbol, names::kWorld, state.position, sizes_.reach + kTorqueBeyond,
+       kHiddenShare * sizes_.reach);
   draw(kAtMomentum, kTorqueAtMomentumSymbol, brush_.frames().space,
-       sizes_.metres_per_angular_momentum * state.momentum_world, kTorqueAtMomentum);
+       sizes_.metres_per_angular_momentum * state.momentum_world, kTorqueAtMomentum, 0);
 }
 
 }  // namespace poinsot::node

@@ -81,10 +81,12 @@ class BodyPicture {
   void appendCurves(const Picture& picture, const view::Polhode& polhode, const std::vector<view::Curve>& separatrix,
                     visualization_msgs::MarkerArray& out) const;
   void appendTitles(visualization_msgs::MarkerArray& out) const;
-  std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world) const;
+  std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world,
+                                                            const Eigen::Vector3d& torque_world) const;
   void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
-  void appendTrail(const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
-  void appendMovingConstruction(const Tick& tick, const MotionState& state, visualization_msgs::MarkerArray& out);
+  void appendTrail(const Eigen::Vector3d& place, visualization_msgs::MarkerArray& out);
+  void appendMovingConstruction(const Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
+                                visualization_msgs::MarkerArray& out);
   void appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
 
   Brush brush_;

@@ -37,7 +37,7 @@ inline std_msgs::ColorRGBA angularMomentum() {
 }
 /** Where Ω came from, under torques. */
 inline std_msgs::ColorRGBA path() {
-  return colour(1, 0.86f, 0.93f);
+  return colour(1, 0.70f, 0.84f);
 }
 inline std_msgs::ColorRGBA torque() {
   return colour(0.96f, 0.90f, 0.25f);

@@ -22,7 +22,7 @@ struct Reach {
 
 constexpr double kReachHorizon = 60;  ///< s
 constexpr double kReachSoon = 10;     ///< s
-constexpr double kMostGrowth = 4;     ///< see reachOf
+constexpr double kMostGrowth = 2;     ///< see reachOf
 
 /**
  * The largest values for 0 ≤ t ≤ 60 s, or 10 s beyond the last switch of a schedule; for less where that takes more
