@@ -32,9 +32,10 @@ at() {
     symmetric_* | sphere | regimes | hundred) echo 5 ;;
     t_handle) echo 14.2 ;;
     tennis_racket) echo 4.3 ;;
-    thruster_despin) echo 18 ;;
+    thruster_despin) echo 14 ;;
+    damped_tumble) echo 8 ;;
     tossed_book) echo 6 ;;
-    wingnut) echo 12.8 ;;
+    wingnut) echo 21 ;;
     *) echo 12 ;;
   esac
 }
