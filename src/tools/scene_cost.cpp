@@ -1,6 +1,7 @@
 // A scene file → what each of its bodies costs on this machine, and what each effect's part of it is.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -55,6 +56,16 @@ std::string shown(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
+}
+
+/** @param given that --csv is there at all. */
+void checkFile(const Options& options, bool given) {
+  if (given && options.csv.empty()) throw BadUse("--csv is empty; allowed: a file, or -");
+  if (options.csv.empty() || options.csv == kStandardOutput) return;
+  namespace fs = std::filesystem;
+  if (fs::weakly_canonical(fs::absolute(options.csv)) == fs::weakly_canonical(fs::absolute(options.scene))) {
+    throw BadUse(options.csv + " is the scene itself and would be lost");
+  }
 }
 
 void checkSize(const scene::Scene& scene, double duration, double rate) {
@@ -146,6 +157,7 @@ int main(int argc, char** argv) {
     return code;
   };
   try {
+    checkFile(options, app.count("--csv") > 0);
     run(options, readPositive(app, "--duration", options.duration), readPositive(app, "--rate", options.rate));
   } catch (const BadUse& error) {
     return fail(kBadUse, error);
