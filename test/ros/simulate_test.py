@@ -115,7 +115,7 @@ class SimulateTest(unittest.TestCase):
                 changed = 0
                 with rosbag.Bag(path) as source, rosbag.Bag(spoiled, "w") as out:
                     for topic, message, stamp, header in source.read_messages(return_connection_header=True):
-                        if topic.startswith("/markers"):
+                        if not topic.startswith(("/%s/" % body, "/tf")):
                             continue
                         if topic == "/%s/description" % body:
                             changed += sum(was in text for text in message.effects)
