@@ -67,8 +67,7 @@ double uncertainty(const Segment& segment, const State& a, double duration, cons
     rounding += 1e-15 * (a.momentum_world.norm() + inertia.moments[2] * start.omega.norm()) / (j * speed);
   }
   const double own = std::min(substeps * kFineError, std::pow(rate * std::abs(duration), 5) / 30);
-  const double method = segment.bounds->known() ? steps * segment.bounds->local() : 1e-3 * speed * std::abs(duration);
-  return rounding + own + method;
+  return rounding + own + segment.bounds->allowed(duration, speed);
 }
 
 double attitudeDifference(const Phase& a, const Phase& b) {
@@ -96,8 +95,9 @@ class Driven {
       if (!segment.bounds->known() && notes_++ == 0) {
         const DrivenBounds& bounds = *segment.bounds;
         rotation_.note("method \"" + bounds.method() + "\"" +
-                       (bounds.tooCoarse() ? text(" at step %g s is too coarse to be held to a bound", bounds.step())
-                                           : " is not known here") +
+                       (bounds.tooCoarse()
+                            ? text(" at step %g s is too coarse to be held to a bound of its own", bounds.step())
+                            : " is not known here") +
                        "; 1e-3 of the turn was allowed for it");
       }
       for (std::size_t i = 0; i + 1 < segment.states.size(); ++i) judgePair(segment, i);
@@ -384,9 +384,8 @@ class Driven {
           const double off = (constant.value(*s, phaseOf(*segment.body, *s)) - start).norm() / constant.scale;
           const DrivenBounds& bounds = *segment.bounds;
           const double ceiling = evidence_.options.drift, span = s->time - first.time;
-          const double allowed =
-              bounds.known() ? (bounds.drift(first.time) + bounds.drift(s->time)) * constant.by_error / constant.scale
-                             : ceiling;
+          const double allowed = (bounds.drift(first.time, segment.speed) + bounds.drift(s->time, segment.speed)) *
+                                 constant.by_error / constant.scale;
           judge.compare(off, std::min(allowed, ceiling), seconds(s->stamp), [&] {
             const std::string step = bounds.step() > 0 ? text(" at step %g s", bounds.step()) : "";
             return text("%s changes by %.3g in %.6g s, ", constant.words, off, span) +
@@ -419,8 +418,7 @@ class Driven {
         continue;
       }
       const double speed = body.speed(a->time, p), size = (body.inertia().moments[2] + slugInertia(body)) * speed;
-      const double steps = segment.bounds->steps(b->time - a->time);
-      const double allowed = (2e-14 + steps * segment.bounds->local()) * size * speed / before;
+      const double allowed = (2e-14 + segment.bounds->allowed(b->time - a->time, speed)) * size * speed / before;
       judge.compare(std::max(0.0, after / before - 1), std::min(allowed, evidence_.options.drift), seconds(b->stamp),
                     [] { return "energy rises although nothing but damping acts"; });
     }

@@ -8,11 +8,13 @@ namespace poinsot::audit {
 namespace {
 
 constexpr double kLocal = 2;        // C of C r^(p+1), r as in pace()
-constexpr double kKicks = 0.2;      // of aba84's s² (Wh)⁵
+constexpr double kFree8 = 1e-6;     // of aba84's free motion
 constexpr double kSafety = 4;       // on what a Taylor series leaves out
 constexpr double kHalvedAt = 1e-2;  // Taylor methods halve steps whose last two terms are larger
 constexpr int kMostLooks = 500;     // at a motion's Taylor series
 constexpr double kTooVague = 1e-2;
+constexpr double kAccuracy = 4;    // of an accuracy that was asked for
+constexpr double kUnknown = 1e-3;  // of the turn
 
 /** The order in "taylor16", or 0. */
 int taylorOrder(const std::string& method) {
@@ -47,7 +49,7 @@ Phase phaseOf(const DrivenBody& body, const State& s) {
 
 DrivenBounds::DrivenBounds(const Description& description, const DrivenBody& body,
                            const std::vector<const State*>& states)
-    : method_(description.method), step_(description.step), taken_(description.step) {
+    : method_(description.method), step_(description.step) {
   if (!(step_ > 0) || !std::isfinite(step_)) return;
   const int order = taylorOrder(method_);
   if (order == 0 && method_ != "rk4" && method_ != "buss2" && method_ != "aba84") return;
@@ -69,28 +71,32 @@ DrivenBounds::DrivenBounds(const Description& description, const DrivenBody& bod
       // Kicks of relative strength s: O(s h⁸ + s² h⁴), and the free motion between them of order 8.
       const double speed = body.speed(t, p);
       const double strength = speed > 0 ? body.torqueScale(t, p) / (body.inertia().moments[0] * speed * speed) : 0;
-      error = kLocal * std::pow(pace(terms), 9) + kKicks * strength * strength * std::pow(body.rate(t, p) * step_, 5);
+      const double r = pace(terms);
+      error = kFree8 * std::pow(r, 9) + kLocal * strength * strength * std::pow(r, 5);
     } else {
       error = kLocal * std::pow(pace(terms), low + 1);
     }
     local_ = std::max(local_, error);
   }
   taken_ = step_ * largest_shrink;
-  known_ = local_ < kTooVague;
-  too_coarse_ = !known_;
+  by_ = local_ < kTooVague ? By::steps : std::isfinite(description.accuracy) ? By::accuracy : By::nothing;
+  accuracy_ = description.accuracy;
+  too_coarse_ = by_ == By::nothing;
+}
+
+double DrivenBounds::allowed(double duration, double speed) const {
+  const double turn = speed * std::abs(duration);
+  if (by_ == By::steps) return steps(duration) * local_;
+  return by_ == By::accuracy ? kAccuracy * accuracy_ * (1 + turn) : kUnknown * turn;
 }
 
 double DrivenBounds::steps(double duration) const {
-  return known_ ? std::abs(duration) / taken_ + 2 * step_ / taken_ : 0;
+  return taken_ > 0 ? std::abs(duration) / taken_ + 2 * step_ / taken_ : 0;
 }
 
-double DrivenBounds::rounding(double steps) {
-  return 1e-15 * (20 + std::sqrt(steps)) + 5e-17 * steps;
-}
-
-double DrivenBounds::drift(double t) const {
+double DrivenBounds::drift(double t, double speed) const {
   const double n = steps(t);
-  return rounding(n) + n * local_;
+  return 1e-15 * (20 + std::sqrt(n)) + 5e-17 * n + allowed(t, speed);
 }
 
 }  // namespace poinsot::audit

@@ -118,6 +118,7 @@ Description read(const poinsot::BodyDescription& message) {
   d.axes = quaternionOf(message.principal_axes);
   d.method = message.method;
   d.step = message.step;
+  d.accuracy = message.accuracy;
   d.effects = message.effects;
   d.forces = readEffects(d.effects);
   d.metres_per_radian_per_second = message.metres_per_radian_per_second;

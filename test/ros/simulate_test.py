@@ -114,10 +114,10 @@ class SimulateTest(unittest.TestCase):
                 spoiled = os.path.join(self.directory, "other_torques.bag")
                 changed = 0
                 with rosbag.Bag(path) as source, rosbag.Bag(spoiled, "w") as out:
-                    for topic, message, stamp, header in source.read_messages(return_connection_header=True):
-                        if topic.startswith("/markers"):
-                            continue
-                        if topic == "/%s/description" % body:
+                    topics = ["/%s/%s" % (body, name) for name in ("state", "description", "odometry")]
+                    for topic, message, stamp, header in source.read_messages(topics + ["/tf", "/tf_static"],
+                                                                              return_connection_header=True):
+                        if topic == topics[1]:
                             changed += sum(was in text for text in message.effects)
                             message.effects = [text.replace(was, put) for text in message.effects]
                         out.write(topic, message, stamp, connection_header=header)

@@ -80,7 +80,7 @@ struct Description {
   Eigen::Vector3d moments;
   Eigen::Quaterniond axes;
   std::string method;
-  double step = 0;
+  double step = 0, accuracy = 0;     ///< NaN where there is none
   std::vector<std::string> effects;  ///< as sent
   Effects forces;                    ///< the same, as read
   double metres_per_radian_per_second = 0;
