@@ -189,6 +189,8 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   if (torqued_ && detail == Detail::pictures) {
     reach = view::reachOf(motion);
     scale_ = view::pictureScale(reach.semi_axis, reach.momentum);
+    const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
+    if (std::all_of(body.effects.begin(), body.effects.end(), is_inside)) path_semi_axis_ = reach.semi_axis;
   }
   layout_ = view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_, omega_principal_,
                            inertia_.axes().conjugate() * reach.omega_later);
@@ -445,7 +447,11 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
       axes * (energy_normal.stableNormalized() + momentum_normal.stableNormalized()).stableNormalized();
   appendTrail(omega_metres + kTorquedTrailHeight * normal, out);
   const std::size_t before = path_.endPiece();
-  path_.add(omega_metres + kPathHeight * normal);
+  // While a slug takes momentum up or gives it back, |MΩ| changes: all of the spiral is drawn on the largest ellipsoid
+  // of MΩ to come, or later ones would hide it.
+  const double semi_axis = energy_normal.norm() / (scale_.metres_per_radian_per_second * inertia_.moments().minCoeff());
+  const double lift = path_semi_axis_ > semi_axis && semi_axis > 0 ? path_semi_axis_ / semi_axis : 1;
+  path_.add(lift * omega_metres + kPathHeight * normal);
   const std::string ns = brush_.ns(names::kTrail);
   if (path_jumped_) stage_.withdraw(ns, 1, out);
   const auto send = [&](std::size_t k) {

@@ -110,7 +110,8 @@ class BodyPicture {
   // Of a body under torques.
   std::optional<EffectMarkers> effects_;
   view::Path path_;
-  bool path_jumped_ = false;  ///< what was shown of it is no more
+  double path_semi_axis_ = 0;  ///< |MΩ|/μmin of the ellipsoid that it is drawn on [rad/s]; 0: of its moment
+  bool path_jumped_ = false;   ///< what was shown of it is no more
   std::optional<ros::Time> path_shown_, curves_shown_;
   std::size_t path_turn_ = 0;                                 ///< the piece that was sent once more
   double curves_energy_size_ = 0, curves_momentum_size_ = 0;  ///< √E and |MΩ| when the curves were sent
