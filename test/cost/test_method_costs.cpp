@@ -11,15 +11,20 @@
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/nominal_costs.h"
 #include "poinsot/cost/settle.h"
+#include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/reader.h"
 
 using namespace poinsot;
 namespace fs = std::filesystem;
 
 namespace {
+
+/** All methods, for free bodies and under torques, and the closed form. */
+const std::size_t kWays = methods().size() + torqueMethods().size() + 1;
 
 class CostFile : public testing::Test {
  protected:
@@ -59,15 +64,21 @@ class CostFile : public testing::Test {
 
 TEST_F(CostFile, everyMethodIsMeasuredAndKept) {
   const cost::MethodCosts measured = cost::costsOfThisMachine(file_);
-  EXPECT_EQ(measured.all().size(), methods().size() + 1);
+  EXPECT_EQ(measured.all().size(), kWays);
   for (const Method& method : methods()) {
     EXPECT_GT(measured.of(method.name).per_step, 1e-9) << method.name;
     EXPECT_LT(measured.of(method.name).per_step, 1e-4) << method.name;
     EXPECT_GE(measured.of(method.name).per_state, 0) << method.name;
   }
+  for (const TorqueMethod& method : torqueMethods()) {
+    const std::string name = cost::torqueCostName(method.name);
+    EXPECT_GT(measured.of(name).per_step, 1e-9) << name;
+    EXPECT_LT(measured.of(name).per_step, 1e-4) << name;
+    EXPECT_GE(measured.of(name).per_state, 0) << name;
+  }
   EXPECT_GT(measured.of(kClosedForm).per_state, 1e-9);
   EXPECT_EQ(measured.of(kClosedForm).per_step, 0);
-  EXPECT_EQ(YAML::LoadFile(file_)["methods"].size(), methods().size() + 1);
+  EXPECT_EQ(YAML::LoadFile(file_)["methods"].size(), kWays);
   EXPECT_EQ(readBack(0.123), 0.123) << "the file was not read";
 }
 
@@ -89,16 +100,16 @@ TEST_F(CostFile, ofAnotherMachineOrBrokenIsMeasuredAgain) {
     std::ofstream(file_) << good;
     edit(what, with);
     const cost::MethodCosts costs = cost::costsOfThisMachine(file_);
-    EXPECT_EQ(costs.all().size(), methods().size() + 1);
+    EXPECT_EQ(costs.all().size(), kWays);
     EXPECT_EQ(costs.all().count("dmv99"), 0u);
-    EXPECT_EQ(YAML::LoadFile(file_)["methods"].size(), methods().size() + 1) << "not mended";
+    EXPECT_EQ(YAML::LoadFile(file_)["methods"].size(), kWays) << "not mended";
     EXPECT_EQ(text().find(with == std::string("version: 9") ? "version: 9" : "not "), std::string::npos);
   }
 }
 
 TEST_F(CostFile, thatCannotBeWrittenIsNoError) {
   const cost::MethodCosts costs = cost::costsOfThisMachine("/proc/no/costs.yaml");
-  EXPECT_EQ(costs.all().size(), methods().size() + 1);
+  EXPECT_EQ(costs.all().size(), kWays);
 }
 
 TEST_F(CostFile, leavesNoTemporaryFile) {
@@ -121,11 +132,15 @@ TEST(CostFilePlace, isTheEnvironmentsChoice) {
 
 TEST(NominalCosts, everyMethodHasOne) {
   const cost::MethodCosts& costs = cost::nominalCosts();
-  EXPECT_EQ(costs.all().size(), methods().size() + 1);
+  EXPECT_EQ(costs.all().size(), kWays);
   EXPECT_EQ(costs.of(kClosedForm).per_step, 0);
   for (const Method& method : methods()) {
     EXPECT_GT(costs.of(method.name).per_step, 0) << method.name;
     EXPECT_GT(costs.of(method.name).per_state, 0) << method.name;
+  }
+  for (const TorqueMethod& method : torqueMethods()) {
+    EXPECT_GT(costs.of(cost::torqueCostName(method.name)).per_step, 0) << method.name;
+    EXPECT_GT(costs.of(cost::torqueCostName(method.name)).per_state, 0) << method.name;
   }
 }
 
