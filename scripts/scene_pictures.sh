@@ -26,7 +26,7 @@ at() {
     dzhanibekov) echo 7.9 ;;
     explorer1) echo 19 ;;
     gravity_gradient) echo 7 ;;
-    heavy_top_sleeping) echo 24 ;;
+    heavy_top_sleeping) echo 21 ;;
     heavy_top_*) echo 12.6 ;;
     separatrix) echo 21.7 ;;
     symmetric_* | sphere | regimes | hundred) echo 5 ;;
