@@ -65,9 +65,15 @@ void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::strin
  */
 void movePivot(const Fields& fields, Body& body) {
   if (!body.shape) return;
+  bool moved = false;
   for (const Effect& effect : body.effects) {
     const auto* weight = std::get_if<GravityTorque>(&effect);
     if (!weight) continue;
+    if (moved) {
+      fields.find("effects")->refuse("a second gravity_torque, and a shape has one weight",
+                                     "one gravity_torque, or inertia instead of shape");
+    }
+    moved = true;
     const double mass = body.shape->mass();
     if (!(std::abs(weight->mass - mass) <= kSameMass * mass)) {
       fields.find("effects")->refuse("the mass of gravity_torque, " + shownNumber(weight->mass) +

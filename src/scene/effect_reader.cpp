@@ -63,7 +63,6 @@ void readConstantTorque(const Fields& fields, Body& body) {
 }
 
 void readGravityTorque(const Fields& fields, Body& body) {
-  requireFirst<GravityTorque>(fields, body);
   GravityTorque out;
   out.mass = requireNumber(fields, "mass", quantity::kMass);
   if (const auto place = fields.find("gravity")) out.gravity = readVector(*place, quantity::kAcceleration);

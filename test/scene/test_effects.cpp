@@ -254,12 +254,26 @@ TEST(Effects, BadSchedulesAreRefused) {
   EXPECT_EQ(readBody({"effects: [" + one + ", " + one + "]"}).effects.size(), 2u);
 }
 
-TEST(Effects, OneOrbitOneSlugOnePivot) {
-  for (const std::string type : {"gravity_torque", "gravity_gradient", "internal_dissipation"}) {
+TEST(Effects, OneOrbitOneSlug) {
+  for (const std::string type : {"gravity_gradient", "internal_dissipation"}) {
     const std::string text = effect(type, types().at(type));
     const std::string map = text.substr(10, text.size() - 11);
     expectKeyRefused("effects: [" + map + ", " + map + "]", ".effects[1]",
                      {"a second " + type, "allowed: one " + type + " a body"});
+  }
+}
+
+TEST(Effects, SeveralWeightsAddUpButAShapeHasOne) {
+  const std::string weight = "{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 0.1]}";
+  EXPECT_EQ(readBody({"effects: [" + weight + ", " + weight + "]"}).effects.size(), 2u);
+  const std::string shape =
+      "bodies: [{name: brick, shape: {type: box, size: [1, 2, 3], mass: 1}, angular_velocity: [0, 0, 1], ";
+  EXPECT_NO_THROW(poinsot::scene::readTree(YAML::Load(shape + "effects: [" + weight + "]}]"), "spin.yaml"));
+  try {
+    poinsot::scene::readTree(YAML::Load(shape + "effects: [" + weight + ", " + weight + "]}]"), "spin.yaml");
+    FAIL() << "not refused";
+  } catch (const poinsot::scene::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a second gravity_torque"), std::string::npos) << error.what();
   }
 }
 
