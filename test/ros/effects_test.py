@@ -221,9 +221,15 @@ class EffectsTest(unittest.TestCase):
             along = rotation(rods[0].pose.orientation)[:, 2] * rods[0].scale.z / 2
             numpy.testing.assert_allclose(array(rods[0].pose.position) + along, centre, atol=1e-12)
             numpy.testing.assert_allclose(array(rods[0].pose.position) - along, 0, atol=1e-12)
-            arrows = [(m, s) for i in range(8) if (body + "/gravity", i) in self.drawn
-                      for m, s in self.added(body + "/gravity", i)]
-            for m, s in arrows:
+            drawn = [(m, s) for i in range(8) if (body + "/gravity", i) in self.drawn
+                     for m, s in self.added(body + "/gravity", i)]
+            self.assertEqual({m.type for m, _ in drawn}, {Marker.ARROW, Marker.LINE_STRIP})
+            for m, s in drawn:
+                if m.type == Marker.LINE_STRIP:  # the way of a point on the axis, which ends where that point is
+                    now = array(m.points[-1]) - array(s.position)
+                    along = rotation(s.attitude) @ numpy.array(centre)
+                    numpy.testing.assert_allclose(unit(now), unit(along), atol=1e-9)
+                    continue
                 start = array(s.position) + rotation(s.attitude) @ numpy.array(centre)
                 numpy.testing.assert_allclose(array(m.points[0]), start, atol=1e-9)
                 numpy.testing.assert_allclose(unit(array(m.points[1]) - array(m.points[0])), WEIGHT[body], atol=1e-12)
@@ -237,6 +243,7 @@ class EffectsTest(unittest.TestCase):
                   for m, s in self.added("satellite/gravity", i)]
         for m, s in arrows:
             r = radial * math.cos(0.4 * s.time) + numpy.cross(normal, radial) * math.sin(0.4 * s.time)
+            self.assertEqual(m.type, Marker.ARROW)
             numpy.testing.assert_allclose(unit(array(m.points[1]) - array(m.points[0])), -r, atol=1e-9)
 
     def test_trail_of_a_torqued_body_is_long_and_bounded(self):
