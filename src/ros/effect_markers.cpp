@@ -18,6 +18,7 @@ constexpr double kTorqueBeyond = 0.4;      // of the largest torque's arrow, bey
 constexpr double kTorqueAtMomentum = 0.7;  // of the largest torque's arrow at the tip of L
 constexpr double kHiddenShare = 0.5;       // of the body, in which an arrow that is no longer ends unseen
 constexpr double kLeastArrow = 0.01;       // what would be shorter is not drawn
+constexpr double kMostBeyond = 1.2;        // times the length of the largest torque that was expected
 constexpr double kWeightBeyond = 0.3;
 constexpr double kOrbitBeyond = 0.3;
 constexpr double kPivotDiameter = 0.13;
@@ -117,8 +118,10 @@ void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d
   const std::string ns = brush_.ns(names::kTorque);
   const auto draw = [&](int id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
                         double longest, double hidden) {
-    const Eigen::Vector3d way = sizes_.torque > 0 ? Eigen::Vector3d(longest * (torque_world / sizes_.torque))
-                                                  : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    Eigen::Vector3d way = sizes_.torque > 0 ? Eigen::Vector3d(longest * (torque_world / sizes_.torque))
+                                            : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    // A torque beyond what was expected would leave the picture.
+    if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
     if (!(way.norm() > kLeastArrow) || !way.allFinite()) {
       stage.withdrawOne(ns, id, out);
       stage.withdrawOne(brush_.ns(names::kLabel), symbol_id, out);
