@@ -9,7 +9,7 @@ from std_srvs.srv import SetBool, Trigger
 def main():
     until = float(sys.argv[1])
     rospy.init_node("show_until", anonymous=True)
-    rospy.wait_for_service("/poinsot/reset", 30)
+    rospy.wait_for_service("/poinsot/reset", 120)
     rospy.ServiceProxy("/poinsot/reset", Trigger)()
     rospy.sleep(until)
     rospy.ServiceProxy("/poinsot/pause", SetBool)(True)
