@@ -303,7 +303,7 @@ int main() {
   std::printf(
       "| torque | error | cheapest of Poinsot's | µs | cheapest of odeint's | µs | ratio "
       "|\n|---|---|---|---|---|---|---|\n");
-  compare({"weak: gravity gradient, n = 0.02 |Ω|",
+  compare({"weak: gravity gradient, n = 0.02 of the spin",
            moments,
            {0.6, 0.5, 0.7},
            attitude,
@@ -339,7 +339,7 @@ int main() {
            attitude,
            {poinsot::GravityTorque{1, {0, 0, -2}, {0, 0, 0.5}}}},
           Gravity{2, {0, 0, 0.5}});
-  compare({"strong: gravity gradient, n = |Ω|",
+  compare({"strong: gravity gradient, n = the spin",
            moments,
            {0.3, 0.2, 0.4},
            attitude,
