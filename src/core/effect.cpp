@@ -25,6 +25,7 @@ std::string textOf(const Effect& effect) {
 Torques sumOf(const PrincipalInertia& inertia, const std::vector<Effect>& effects) {
   Torques torques(inertia);
   for (const Effect& effect : effects) std::visit([&torques](const auto& e) { e.addTo(torques); }, effect);
+  torques.requireFinite();
   return torques;
 }
 

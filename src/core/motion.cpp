@@ -228,7 +228,8 @@ MotionState Motion::describe(double t, const RotationState& principal, const Eig
                                   std::isfinite(invariants.momentum_squared);
   if (!rotation_is_finite || !place_is_finite) {
     throw std::range_error(std::string(rotation_is_finite ? "the position or velocity" : "the rotation") +
-                           " has left the range of doubles");
+                           " has left the range of doubles" +
+                           (torqued_ ? ", or moves faster than such steps can follow" : ""));
   }
   return out;
 }

@@ -99,6 +99,21 @@ void Torques::addSlug(double inertia, double damping) {
   slug_ = Slug{inertia, damping};
 }
 
+void Torques::requireFinite() const {
+  const double least = moments_.minCoeff(), most = moments_.maxCoeff();
+  bool finite = true;
+  for (const Constant& c : constants_) finite = finite && ((c.body + c.world) / least).allFinite();
+  for (const Field& f : fields_) finite = finite && (f.map * (f.world.stableNorm() / least)).allFinite();
+  if (gradient_) finite = finite && std::isfinite(3 * gradient_->rate * gradient_->rate * (most / least));
+  if (damping_) finite = finite && (*damping_ / least).allFinite();
+  if (slug_) {
+    finite = finite && std::isfinite(slug_->damping / slug_->inertia) && std::isfinite(slug_->damping / least);
+  }
+  if (finite) return;
+  throw std::invalid_argument(
+      "the torques together, or the accelerations that they give, are not finite in double precision");
+}
+
 Eigen::Vector3d Torques::Gradient::radialAt(double t) const {
   return std::cos(rate * t) * radial + std::sin(rate * t) * along;
 }

@@ -25,7 +25,7 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
   out += " for an accuracy of " + shown(wish.error) + " rad over " + shown(wish.horizon) + " s; estimated error " +
          shown(choice.estimated_error) + " rad, ";
   if (!body.effects.empty()) {
-    out += "verified by step refinement " + shown(choice.verified_error);
+    out += "verified by step refinement " + shown(choice.verified_error) + " rad";
     if (!std::isfinite(choice.verified_error)) {
       return out.substr(0, out.rfind("; ")) + "; not verified: that takes too many steps, or the motion is lost; cost " +
              shown(choice.cost) + " CPU s per simulated s";

@@ -20,10 +20,11 @@ constexpr double kAgreeAtWorst = 0.4;  // the same where rounding lets them come
 constexpr double kSlow = 0.01;         // of the greatest |Omega|
 constexpr double kRest = 1e-14;        // of the same: what rounding leaves of a spin that was brought to rest
 constexpr int kMostLooks = 512;
-constexpr double kMostSteps = 2e7;    // of one trial: some seconds
-constexpr int kMostTrials = 24;       // to one method
-constexpr double kNearEnough = 1.12;  // two steps with this ratio are not told apart
-constexpr double kMostCut = 1.02;     // steps taken to steps asked for: beyond it they are cut too often
+constexpr double kMostStepsAtAll = 1e9;  // of a motion that is not verified
+constexpr double kMostSteps = 2e7;       // of one trial: some seconds
+constexpr int kMostTrials = 24;          // to one method
+constexpr double kNearEnough = 1.12;     // two steps with this ratio are not told apart
+constexpr double kMostCut = 1.02;        // steps taken to steps asked for: beyond it they are cut too often
 const char* const kReferences[2] = {"taylor24", "taylor20"};
 constexpr double kReferenceRatio = 0.77;  // of their steps: no common grid
 
@@ -62,15 +63,25 @@ class Search {
       if (const TorqueMethod* method = findTorqueMethod(name)) tryMethod(*method);
     }
     if (best_.method.empty()) {
-      throw Unreachable("no method of " + std::to_string(wish_.candidates.size()) + " keeps to " +
-                        shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) +
-                        " s on this body: " + nearest_method_ + " comes nearest with about " + shown(nearest_error_));
+      const bool one = wish_.candidates.size() == 1;
+      const std::string who =
+          one ? wish_.candidates.front() + " does not keep to "
+              : "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones keeps to ";
+      throw Unreachable(who + shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) + " s on this body" +
+                        (nearest_error_ < 1
+                             ? ": " + nearest_method_ + " comes nearest with about " + shown(nearest_error_) +
+                                   " rad in up to " + shown(kMostSteps) + " steps"
+                             : ", nor comes near in up to " + shown(kMostSteps) + " steps"));
     }
     return best_;
   }
 
   Choice mostExact() {
     findTruth();
+    if (!(truth_step_ > 0) || wish_.horizon / truth_step_ > kMostStepsAtAll) {
+      throw Unreachable("this body moves so fast under its effects that " + shown(wish_.horizon) +
+                        " s of it take more than " + shown(kMostStepsAtAll) + " steps");
+    }
     return {kReferences[0], truth_step_, agreement_, agreement_, costOf(kReferences[0], truth_step_)};
   }
 

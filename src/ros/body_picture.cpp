@@ -91,7 +91,9 @@ std::string shown(const char* format, double value) {
 }
 
 std::string methodOf(const MotionSetup& setup) {
-  return setup.method + (setup.step ? shown(", step %.3g ms", 1e3 * *setup.step) : "");
+  if (!setup.step) return setup.method;
+  return setup.method +
+         (*setup.step < 1 ? shown(", step %.3g ms", 1e3 * *setup.step) : shown(", step %.3g s", *setup.step));
 }
 
 view::Trail trailOf(const Motion& motion, const view::Polhode& polhode, double metres_per_radian_per_second) {

@@ -1,7 +1,7 @@
 #include "effect_reader.h"
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -78,12 +78,15 @@ void readGravityGradient(const Fields& fields, Body& body) {
     const Place place = fields.require(key, "a direction in world axes, a list of 3 finite numbers, not all zero");
     const Eigen::Vector3d v = readVector(place, quantity::kDirection);
     if (v.isZero(0)) place.refuse("a zero vector is no direction", "3 finite numbers, not all zero");
+    if (!std::isfinite(v.stableNorm()))
+      place.refuse("its length is not finite in double precision", "a shorter vector");
     return v;
   };
   out.orbit_normal = direction("orbit_normal");
   out.radial_at_start = direction("radial_at_start");
   try {
-    out.addTo(*std::make_unique<Torques>(body.inertia));
+    Torques alone(body.inertia);
+    out.addTo(alone);
   } catch (const std::invalid_argument& objection) {
     fields.find("radial_at_start")->refuse(objection.what(), "a direction in the plane of the orbit");
   }

@@ -13,7 +13,7 @@ class SampleTimes {
  public:
   /** @param duration [s] and @param rate [Hz], positive and finite. */
   SampleTimes(double duration, double rate)
-      : duration_(duration), rate_(rate), intervals_(std::max(1.0, std::ceil(duration * rate - closeness()))) {}
+      : duration_(duration), rate_(rate), intervals_(intervals(duration * rate)) {}
 
   /** As a double: it may be more than any integer type holds. */
   double count() const { return intervals_ + 1; }
@@ -24,8 +24,11 @@ class SampleTimes {
   }
 
  private:
-  /** In periods. */
-  double closeness() const { return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * duration_ * rate_; }
+  static double intervals(double periods) {
+    if (!std::isfinite(periods)) return periods;
+    const double closeness = 1e-9 + 4 * std::numeric_limits<double>::epsilon() * periods;
+    return std::max(1.0, std::ceil(periods - closeness));
+  }
 
   double duration_, rate_, intervals_;
 };

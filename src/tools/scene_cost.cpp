@@ -119,18 +119,19 @@ void run(const Options& options, const std::optional<double>& given_duration, co
   std::string text = options.scene + ": " + shown(rate) + " states in a simulated second, measured over " +
                      shown(duration) + " simulated s\n",
               csv = tools::ledgerHeader();
+  std::optional<OutputFile> file;  // before the work: where it cannot be written, nothing is to be measured
+  if (!options.csv.empty() && !csv_alone) file.emplace(options.csv, OutputFile::Kind::any);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const scene::Body& body = scene.bodies[i];
     const cost::Ledger ledger = measure(body, duration, rate);
     text += "\n" + tools::ledgerText(body, why[i], ledger);
     csv += tools::ledgerRows(body, ledger);
   }
-  if (!options.csv.empty() && !csv_alone) {
-    OutputFile file(options.csv, OutputFile::Kind::any);
-    tools::TextSink sink(file.descriptor(), options.csv);
+  if (file) {
+    tools::TextSink sink(file->descriptor(), options.csv);
     sink.text() = csv;
     sink.flush();
-    OutputFile::commit({&file});
+    OutputFile::commit({&*file});
   }
   std::cout << (csv_alone ? csv : text) << std::flush;
   if (!std::cout) throw OutputError("standard output", "the disk is full, or nobody reads it");

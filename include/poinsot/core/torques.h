@@ -51,6 +51,9 @@ class Torques {
   /** One slug a body. @param inertia J [kg·m²] @param damping c [N·m·s] */
   void addSlug(double inertia, double damping);
 
+  /** Throws std::invalid_argument where the sum, or an acceleration it may give, is beyond the range of doubles. */
+  void requireFinite() const;
+
   // What integrators ask for. All in principal axes.
 
   /** The part of τ that is piecewise constant in time: constant in the body, and x₀ in the world. */

@@ -12,7 +12,7 @@ constexpr double kInverse[kMostOrder] = {1,        1.0 / 2,  1.0 / 3,  1.0 / 4, 
                                          1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12,
                                          1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18,
                                          1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24};
-constexpr double kMostTail = 1e-2;  // of the state, or of its change, for the last two terms
+constexpr double kMostTail = 1e-6;  // of the state, or of its change, for the last two terms
 
 inline Four four(const double* v) {
   return Four{v[0], v[1], v[2], 0};

@@ -13,7 +13,7 @@ namespace poinsot::torque_steppers {
  * Mathematics 14 (2005) 99–117. Of any order, conserves nothing exactly, and everything to its truncation error. Takes
  * every torque.
  *
- * A step whose series does not converge well is taken in halves: a result is never nonsense, at worst inexact.
+ * A step in which the last two terms exceed 1e-6 is taken in halves.
  */
 template <int order>
 class Taylor final : public TorqueStepper {
