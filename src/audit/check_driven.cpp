@@ -311,12 +311,13 @@ class Driven {
     }
     if (effects.onlyWeights()) {
       double moment = 0;
-      Vector3d gravity = effects.weights[0].gravity, centre = Vector3d::Zero();
+      Vector3d gravity = Vector3d::Zero(), centre = Vector3d::Zero();
       bool parallel = true;
       for (const Effects::Weight& w : effects.weights) {
+        if (gravity.isZero(0)) gravity = w.gravity;
         moment += w.mass * w.gravity.norm() * w.centre.norm();
         parallel = parallel && w.gravity.cross(gravity).norm() <= 1e-14 * w.gravity.norm() * gravity.norm();
-        centre += w.mass * w.centre;
+        centre += w.mass * w.gravity.dot(gravity.stableNormalized()) * w.centre;
       }
       out.push_back({"E - m g.Rc conserved", "E - m g.Rc",
                      [&body](const State&, const Phase& p) {
