@@ -590,8 +590,7 @@ TEST(HardEffects, whatCannotBeFollowedIsAnErrorNeverNaN) {
   } cases[] = {{"a torque beyond doubles", {ConstantTorque{Axes::body, {1e300, 0, 1e300}}}, 1e10, 1e12},
                {"damping too stiff to cut", {ViscousDamping{{1e30, 1e30, 1e30}}}, 1, 10},
                {"a slug too tight to cut", {InternalDissipation{1e-30, 1}}, 1, 10},
-               {"an orbit too fast to follow", {GravityGradient{1e30, {0, 0, 1}, {1, 0, 0}}}, 1, 10},
-               {"a lever and a force that overflow together", {GravityTorque{1, {0, 0, 1e200}, {1e200, 0, 0}}}, 1, 1}};
+               {"an orbit too fast to follow", {GravityGradient{1e30, {0, 0, 1}, {1, 0, 0}}}, 1, 10}};
   for (const auto& c : cases) {
     for (const TorqueMethod& method : torqueMethods()) {
       MotionSetup setup = torquedBody(c.effects, method.name, c.step);
@@ -611,6 +610,21 @@ TEST(HardEffects, whatCannotBeFollowedIsAnErrorNeverNaN) {
       }
     }
   }
+}
+
+// Each alone is finite.
+TEST(HardEffects, sumsAndAccelerationsBeyondDoublesAreRefused) {
+  const auto moments = PrincipalInertia::fromMoments({1e-3, 2, 3});
+  const ConstantTorque huge{Axes::body, {1e308, 0, 0}};
+  for (const std::vector<Effect>& effects :
+       std::vector<std::vector<Effect>>{{GravityTorque{1, {0, 0, 1e200}, {1e200, 0, 0}}},
+                                        {huge},
+                                        {ViscousDamping{{1e307, 1, 1}}, ViscousDamping{{1e308, 1, 1}}},
+                                        {InternalDissipation{1e-300, 1e200}},
+                                        {GravityGradient{1e200, {0, 0, 1}, {1, 0, 0}}}}) {
+    EXPECT_THROW(sumOf(moments, effects), std::invalid_argument) << nameOf(effects.front());
+  }
+  EXPECT_NO_THROW(sumOf(moments, {ConstantTorque{Axes::body, {1e300, 0, 0}}}));
 }
 
 // aba84's free motion is dmv8, which does not always get there: the state is then as it was, and the motion as before.

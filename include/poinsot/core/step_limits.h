@@ -55,9 +55,9 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
                         double step);
 
 /**
- * The same for a body under torques, from its start and from up to seven times at which a torque switches; the truth is
- * taylor24 at a sixteenth of the step. Hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the
- * state is lost; doubtful by more than 0.1 rad. Never throws.
+ * The same for a body under torques, from its start only, where the truth is taylor24, which cuts its steps as needed:
+ * hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the state is lost; doubtful by more than
+ * 0.1 rad. Methods of that family need no judgement. Never throws.
  *
  * @param attitude R at the start, principal axes → world, unit.
  */

@@ -41,7 +41,7 @@ class Taylor final : public TorqueStepper {
   }
 
  private:
-  static constexpr int kMostHalvings = 16;
+  static constexpr int kMostHalvings = 20;
 
   void setMap(const Eigen::Matrix3d& map) { Eigen::Matrix3d::Map(body_.maps[body_.fields++]) = map; }
 
