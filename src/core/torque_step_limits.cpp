@@ -38,7 +38,7 @@ class Trial {
       }
       truth_->advance(truth, n * step, step);
       if (!truth.rotation.momentum_body.allFinite()) {
-        return {Grade::hopeless, "it is so long that the motion cannot be followed in a million parts of it either", 0};
+        return {Grade::hopeless, "it is so long that the motion cannot be followed in 262144 parts of it either", 0};
       }
       const double angle = angleBetween(state.rotation.attitude, truth.rotation.attitude);
       if (!state.rotation.momentum_body.allFinite() || !(angle <= kHopeless)) {

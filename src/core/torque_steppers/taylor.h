@@ -41,7 +41,7 @@ class Taylor final : public TorqueStepper {
   }
 
  private:
-  static constexpr int kMostHalvings = 20;
+  static constexpr int kMostHalvings = 18;
 
   void setMap(const Eigen::Matrix3d& map) { Eigen::Matrix3d::Map(body_.maps[body_.fields++]) = map; }
 
