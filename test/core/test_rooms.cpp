@@ -31,7 +31,7 @@ bool isRos(const std::string& include) {
              include,
              R"(^(ros|rosbag|rosconsole|rosgraph|roscpp|tf|tf2|tf2_\w+|topic_tools|xmlrpcpp|XmlRpc\w*|rviz|pluginlib)"
              R"(|diagnostic_updater|dynamic_reconfigure|interactive_markers|message_filters|nodelet|cpp_common)/)") ||
-         matches(include, R"(^(\w+_)?(msgs|srvs)/|^XmlRpc|^poinsot/(Body\w*\.h|ros/|audit/))");
+         matches(include, R"(^(\w+_)?(msgs|srvs)/|^XmlRpc|^poinsot/([A-Z]\w*\.h|ros/|audit/))");
 }
 
 bool isRoom(const std::string& include, const std::string& room) {

@@ -94,6 +94,9 @@ class Motion {
    */
   double attitudeError(const MotionState& state) const;
 
+  /** A free body's, whatever method moves it, in principal axes; nullptr under torques. */
+  const ClosedForm* closedForm() const { return exact_ ? &*exact_ : nullptr; }
+
   const MotionSetup& setup() const { return setup_; }
 
  private:
