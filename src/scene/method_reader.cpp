@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "number.h"
-#include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/core/torque_stepper.h"
+#include "step_verdict.h"
 #include "words.h"
 
 namespace poinsot::scene {
@@ -101,34 +101,12 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOption
   return out;
 }
 
-/** To two digits, never upwards. */
-double roundedDown(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return unit > 0 ? std::floor(x / unit) * unit : x;
-}
-
-StepJudgement judgement(const Body& body) {
-  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
-  if (body.effects.empty()) return judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
-  return judgeTorqueStep(*findTorqueMethod(body.method), sumOf(body.inertia, body.effects),
-                         body.attitude * body.inertia.axes(), omega, *body.step);
-}
-
 /** Refuses a step at which the method does not follow this body, or appends a warning. */
 void judge(const Place& place, const Body& body, std::vector<std::string>& warnings) {
-  const StepJudgement judged = judgement(body);
-  if (judged.grade == StepJudgement::Grade::sound) return;
-  const std::string problem = body.method + " with a step of " + shownNumber(*body.step) +
-                              " s at |Omega| = " + shownNumber(body.omega_body.stableNorm()) +
-                              " rad/s: " + judged.reason;
-  const bool some_step_will_do = judged.largest_sound > 0;
-  const std::string instead =
-      (some_step_will_do ? "a step of at most " + shownNumber(roundedDown(judged.largest_sound)) + " s, or "
-                         : std::string()) +
-      (body.effects.empty() ? std::string(kClosedForm) + ", which has no step"
-                            : "no method and no step, which leaves the choice");
-  if (judged.grade == StepJudgement::Grade::hopeless) place.refuse(problem, instead);
-  warnings.push_back(place.message(problem + "; better: " + instead));
+  const StepVerdict verdict = verdictOnStep(body);
+  if (verdict.grade == StepJudgement::Grade::sound) return;
+  if (verdict.grade == StepJudgement::Grade::hopeless) place.refuse(verdict.problem, verdict.instead);
+  warnings.push_back(place.message(verdict.problem + "; better: " + verdict.instead));
 }
 
 }  // namespace

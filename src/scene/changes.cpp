@@ -1,0 +1,109 @@
+#include "poinsot/scene/changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "number.h"
+#include "poinsot/core/step_limits.h"
+#include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
+#include "poinsot/scene/reader.h"
+#include "step_verdict.h"
+#include "words.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr double kTurnPerStep = 0.02;  // rad
+constexpr double kStepAtRest = 0.01;   // s
+
+[[noreturn]] void refuse(const Body& body, const std::string& what, const std::string& allowed) {
+  throw Error("body \"" + body.name + "\": " + what + "; allowed: " + allowed);
+}
+
+bool hasStep(const Body& body) {
+  return body.method != kClosedForm && body.step.has_value();
+}
+
+/** 1, 2 or 5 times a power of ten, at most x. */
+double roundStep(double x) {
+  const double decade = std::pow(10, std::floor(std::log10(x)));
+  for (const double digit : {5.0, 2.0}) {
+    if (digit * decade <= x) return digit * decade;
+  }
+  return decade;
+}
+
+double suitableStep(Body body) {
+  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
+  const double fastest = orbitRates(body.inertia.moments(), omega).fastest();
+  body.step = fastest > 0 ? roundStep(kTurnPerStep / fastest) : kStepAtRest;
+  const StepVerdict verdict = verdictOnStep(body);
+  return verdict.largest_sound > 0 ? verdict.largest_sound : *body.step;
+}
+
+}  // namespace
+
+std::vector<std::string> methodsFor(const Body& body) {
+  std::vector<std::string> out;
+  if (body.effects.empty()) {
+    out.push_back(kClosedForm);
+    for (const Method& method : methods()) out.push_back(method.name);
+    return out;
+  }
+  const Torques torques = sumOf(body.inertia, body.effects);
+  for (const TorqueMethod& method : torqueMethods()) {
+    if (objectionTo(method, torques).empty()) out.push_back(method.name);
+  }
+  return out;
+}
+
+Body withMethod(Body body, const std::string& method, std::optional<double> step, std::vector<std::string>& warnings) {
+  const std::vector<std::string> known = methodsFor(body);
+  if (std::find(known.begin(), known.end(), method) == known.end()) {
+    refuse(body, "\"" + method + "\" is no method that moves this body" + didYouMean(method, known), joined(known));
+  }
+  body.method = method;
+  body.accuracy.reset();
+  body.step.reset();
+  if (method == kClosedForm) return body;
+  if (step && !(*step > 0 && std::isfinite(*step))) {
+    refuse(body, "a step of " + shownNumber(*step), allowedNumber(quantity::kStep));
+  }
+  body.step = step ? *step : suitableStep(body);
+  const StepVerdict verdict = verdictOnStep(body);
+  if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.problem, verdict.instead);
+  if (verdict.grade == StepJudgement::Grade::doubtful) {
+    warnings.push_back("body \"" + body.name + "\": " + verdict.problem + "; better: " + verdict.instead);
+  }
+  return body;
+}
+
+Body withSpin(Body body, const MotionState& now, const Eigen::Vector3d& omega_body) {
+  const std::string allowed =
+      "3 finite numbers (rad/s), all zero or such that energy and squared momentum are held in full precision";
+  if (!omega_body.allFinite()) refuse(body, "an angular velocity that is not finite", allowed);
+  const std::string problem = outOfRange(body.inertia, omega_body);
+  if (!problem.empty()) refuse(body, "with this angular velocity " + problem, allowed);
+  body.attitude = now.attitude;
+  body.omega_body = omega_body;
+  if (body.translation) {
+    body.translation->position = now.position;
+    body.translation->velocity = now.velocity;
+  }
+  if (hasStep(body) && !body.accuracy) {
+    const StepVerdict verdict = verdictOnStep(body);
+    if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.problem, verdict.instead);
+  }
+  return body;
+}
+
+Body withStartOf(Body body, const Body& other) {
+  body.attitude = other.attitude;
+  body.omega_body = other.omega_body;
+  body.translation = other.translation;
+  if (hasStep(body) && !body.accuracy && verdictOnStep(body).grade == StepJudgement::Grade::hopeless) return other;
+  return body;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,43 @@
+#include "step_verdict.h"
+
+#include <cmath>
+
+#include "number.h"
+#include "poinsot/core/stepper.h"
+#include "poinsot/core/torque_stepper.h"
+
+namespace poinsot::scene {
+namespace {
+
+/** To two digits, never upwards. */
+double roundedDown(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return unit > 0 ? std::floor(x / unit) * unit : x;
+}
+
+StepJudgement judgement(const Body& body) {
+  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
+  if (body.effects.empty()) return judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
+  return judgeTorqueStep(*findTorqueMethod(body.method), sumOf(body.inertia, body.effects),
+                         body.attitude * body.inertia.axes(), omega, *body.step);
+}
+
+}  // namespace
+
+StepVerdict verdictOnStep(const Body& body) {
+  const StepJudgement judged = judgement(body);
+  StepVerdict out;
+  out.grade = judged.grade;
+  if (judged.grade == StepJudgement::Grade::sound) return out;
+  out.problem = body.method + " with a step of " + shownNumber(*body.step) +
+                " s at |Omega| = " + shownNumber(body.omega_body.stableNorm()) + " rad/s: " + judged.reason;
+  if (judged.largest_sound > 0) {
+    out.largest_sound = roundedDown(judged.largest_sound);
+    out.instead = "a step of at most " + shownNumber(out.largest_sound) + " s, or ";
+  }
+  out.instead += body.effects.empty() ? std::string(kClosedForm) + ", which has no step"
+                                      : "no method and no step, which leaves the choice";
+  return out;
+}
+
+}  // namespace poinsot::scene
