@@ -9,8 +9,9 @@ constexpr int kQueue = 1000;  // a second's worth at 1 kHz
 
 }  // namespace
 
-Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle)
-    : MovingBody(body, frame_prefix), cost_(motion(), rate) {
+Body::Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle,
+           const std::optional<PictureFrame>& keep)
+    : MovingBody(body, frame_prefix, true, keep), cost_(motion(), rate) {
   ros::NodeHandle h(handle);
   state_publisher_ = h.advertise<BodyState>(names::topic(name(), names::kState), kQueue);
   odometry_publisher_ = h.advertise<nav_msgs::Odometry>(names::topic(name(), names::kOdometry), kQueue);

@@ -171,7 +171,8 @@ MarkerArray clearedMarkers() {
   return out;
 }
 
-BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail)
+BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
+                         const std::optional<PictureFrame>& keep)
     : brush_(body.name, frames),
       name_(body.name),
       start_(Motion(motion).at(0)),
@@ -187,20 +188,23 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
       path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
   const double radius = shape_position_.norm() + shape_.boundingRadius();
-  view::Reach reach;
-  if (torqued_ && detail == Detail::pictures) {
-    reach = view::reachOf(motion);
-    scale_ = view::pictureScale(reach.semi_axis, reach.momentum);
-    const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
-    if (std::all_of(body.effects.begin(), body.effects.end(), is_inside)) path_semi_axis_ = reach.semi_axis;
+  if (keep) {
+    reach_ = keep->reach;
+    scale_ = keep->scale;
+  } else if (torqued_ && detail == Detail::pictures) {
+    reach_ = view::reachOf(motion);
+    scale_ = view::pictureScale(reach_.semi_axis, reach_.momentum);
   }
-  layout_ = view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_, omega_principal_,
-                           inertia_.axes().conjugate() * reach.omega_later);
+  const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
+  if (std::all_of(body.effects.begin(), body.effects.end(), is_inside)) path_semi_axis_ = reach_.semi_axis;
+  layout_ = keep ? keep->layout
+                 : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
+                                  omega_principal_, inertia_.axes().conjugate() * reach_.omega_later);
   title_depth_ = std::max(kTitleDepth, radius + 0.3);
   if (torqued_) {
     effects_.emplace(
         brush_, motion,
-        EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach.torque, scale_.metres_per_angular_momentum});
+        EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach_.torque, scale_.metres_per_angular_momentum});
     title_depth_ = std::max(title_depth_, std::min(effects_->depth(), kDeepestTitle));
   }
 }

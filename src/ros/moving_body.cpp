@@ -24,14 +24,15 @@ geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::str
 
 }  // namespace
 
-MovingBody::MovingBody(const scene::Body& body, const std::string& frame_prefix, bool markers)
+MovingBody::MovingBody(const scene::Body& body, const std::string& frame_prefix, bool markers,
+                       const std::optional<PictureFrame>& keep)
     : name_(body.name),
       frames_(frame_prefix, body.name),
       motion_(scene::motionSetup(body)),
       accuracy_(body.accuracy && !body.accuracy->by_default ? body.accuracy->error
                                                             : std::numeric_limits<double>::quiet_NaN()),
-      picture_(std::make_unique<BodyPicture>(body, motion_, frames_,
-                                             markers ? BodyPicture::Detail::pictures : BodyPicture::Detail::none)),
+      picture_(std::make_unique<BodyPicture>(
+          body, motion_, frames_, markers ? BodyPicture::Detail::pictures : BodyPicture::Detail::none, keep)),
       layout_(picture_->layout()),
       scale_(picture_->scale()),
       state_(motion_.at(0)) {

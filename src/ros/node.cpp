@@ -2,6 +2,7 @@
 
 #include <ros/spinner.h>
 #include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/names.h"
+#include "poinsot/ros/number_text.h"
+#include "poinsot/ros/scene_list.h"
 
 namespace poinsot::node {
 namespace {
@@ -20,6 +23,7 @@ constexpr int kMarkerQueue = 100;
 constexpr int kControlQueue = 100;
 const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kPatienceForClock(3);
+const ros::WallDuration kStatusPause(0.1);
 constexpr double kMostSeekSteps = 1e9;
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
 constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
@@ -32,18 +36,18 @@ Pacer::Mode pacing(bool publish_clock) {
   return ros::Time::isSimTime() ? Pacer::Mode::foreign_clock : Pacer::Mode::wall;
 }
 
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 }  // namespace
 
 Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
     : clock_(1 / parameters.rate),
       pacer_(pacing(parameters.publish_clock), parameters.rate),
       rate_(parameters.rate),
+      frame_prefix_(parameters.frame_prefix),
+      scene_(parameters.scene),
+      start_scene_(parameters.scene),
+      scene_name_(sceneName(parameters.scene_file)),
+      scene_file_(parameters.scene_file),
+      scene_names_(sceneNames()),
       handle_(handle),
       private_handle_(private_handle),
       diagnostics_(handle, private_handle) {
@@ -62,26 +66,15 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
       },
       ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 
+  static_tf_publisher_ = handle_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 10, true);
+  status_publisher_ = private_handle_.advertise<NodeStatus>(names::kStatus, 10);
+
   diagnostics_.setHardwareID("none");
   diagnostics_.add("ticks", this, &Node::diagnoseTicks);
   for (const scene::Body& body : parameters.scene.bodies) {
     bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, rate_, handle_));
-    const Body* added = bodies_.back().get();
-    some_body_steps_ = some_body_steps_ || !added->motion().inClosedForm();
-    diagnostics_.add("body " + body.name, [added](diagnostic_updater::DiagnosticStatusWrapper& status) {
-      const MotionSetup& setup = added->motion().setup();
-      const std::string step = setup.step ? ", step " + shown(*setup.step) + " s" : "";
-      const BodyPicture::Figures figures = added->figures();
-      const bool astray = figures.attitude_error > kAstray;
-      status.summary(astray ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
-                     setup.method + step + (astray ? ": " + shown(figures.attitude_error) + " rad astray" : ""));
-      status.addf("simulation time [s]", "%.9g", added->state().time);
-      if (!added->motion().torques()) status.addf("attitude error [rad]", "%.3g", figures.attitude_error);
-      status.addf("energy [J]", "%.6g", figures.kinetic_energy);
-      status.addf("energy drift", "%.3g", figures.energy_drift);
-      status.addf("momentum drift", "%.3g", added->momentumDrift());
-      status.addf("cost [CPU s per simulated s]", "%.3g", figures.cost);
-    });
+    some_body_steps_ = some_body_steps_ || !bodies_.back()->motion().inClosedForm();
+    diagnoseBody(body.name);
   }
 
   if (steppingCost() > kMostLoad) {
@@ -92,9 +85,34 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
 
   services_ = {private_handle_.advertiseService(names::kPause, &Node::onPause, this),
                private_handle_.advertiseService(names::kStep, &Node::onStep, this),
-               private_handle_.advertiseService(names::kReset, &Node::onReset, this)};
+               private_handle_.advertiseService(names::kReset, &Node::onReset, this),
+               private_handle_.advertiseService(names::kLoadScene, &Node::onLoadScene, this),
+               private_handle_.advertiseService(names::kSetMethod, &Node::onSetMethod, this),
+               private_handle_.advertiseService(names::kSetSpin, &Node::onSetSpin, this)};
   subscribers_ = {private_handle_.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
-                  private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
+                  private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this),
+                  private_handle_.subscribe(names::kViewpoint, 1, &Node::onViewpoint, this)};
+  grip_ = std::make_unique<Grip>(private_handle_);
+  // By the wall, so that one can tell a node whose clock stands still from one that is gone.
+  status_timer_ = handle_.createWallTimer(kStatusPause, [this](const ros::WallTimerEvent&) { publishStatus(); });
+}
+
+void Node::diagnoseBody(const std::string& name) {
+  diagnostics_.add("body " + name, [this, name](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const Body& body = *bodies_[indexOf(name)];
+    const MotionSetup& setup = body.motion().setup();
+    const std::string step = setup.step ? ", step " + shown(*setup.step) + " s" : "";
+    const BodyPicture::Figures figures = body.figures();
+    const bool astray = figures.attitude_error > kAstray;
+    status.summary(astray ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+                   setup.method + step + (astray ? ": " + shown(figures.attitude_error) + " rad astray" : ""));
+    status.addf("simulation time [s]", "%.9g", body.state().time);
+    if (!body.motion().torques()) status.addf("attitude error [rad]", "%.3g", figures.attitude_error);
+    status.addf("energy [J]", "%.6g", figures.kinetic_energy);
+    status.addf("energy drift", "%.3g", figures.energy_drift);
+    status.addf("momentum drift", "%.3g", body.momentumDrift());
+    status.addf("cost [CPU s per simulated s]", "%.3g", figures.cost);
+  });
 }
 
 double Node::steppingCost() const {
@@ -149,6 +167,8 @@ void Node::tick() {
   }
   resendStaticMarkers();
   takeFinishedSeek();
+  takeFinishedRebuild();
+  takeTouches();
   const std::optional<Tick> tick = clock_.tick(now);
   if (!tick) return;
 
@@ -160,7 +180,9 @@ void Node::tick() {
   }
   broadcaster_.sendTransform(transforms_);
   for (const auto& body : bodies_) body->publish(*tick);
+  publishPreview();
   publishMarkers(*tick);
+  placeGrips();
 }
 
 double Node::stepsTo(double time) const {
@@ -171,19 +193,19 @@ double Node::stepsTo(double time) const {
 
 void Node::publishStatic() {
   const ros::Time stamp = pacer_.stamp();
-  std::vector<geometry_msgs::TransformStamped> transforms;
+  // One message for all: whoever replays a bag gets the last one of a latched topic only.
+  tf2_msgs::TFMessage transforms;
   for (const auto& body : bodies_) {
-    body->appendStaticTransforms(stamp, transforms);
+    body->appendStaticTransforms(stamp, transforms.transforms);
     body->publishDescription();
   }
-  // One message for all: whoever replays a bag gets the last one of a latched topic only.
-  static_broadcaster_.sendTransform(transforms);
+  static_tf_publisher_.publish(transforms);
   markers_static_publisher_.publish(staticMarkers());
 }
 
 MarkerArray Node::staticMarkers() const {
   MarkerArray markers = clearedMarkers();
-  for (const auto& body : bodies_) body->picture().appendStatic(markers);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) drawn(i).picture().appendStatic(markers);
   return markers;
 }
 
@@ -199,9 +221,10 @@ void Node::publishMarkers(const Tick& tick) {
   const bool watched = markers_publisher_.getNumSubscribers() > 0;
   if (watched) {
     MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
-    for (const auto& body : bodies_) {
-      body->picture().appendMoving(tick, body->motion(), body->state(), markers);
-      if (some_body_steps_) body->picture().appendFigures(tick, body->figures(), markers);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      MovingBody& body = drawn(i);
+      body.picture().appendMoving(tick, body.motion(), body.state(), markers);
+      if (some_body_steps_) bodies_[i]->picture().appendFigures(tick, bodies_[i]->figures(), markers);
     }
     if (!markers.markers.empty()) markers_publisher_.publish(markers);
   } else if (markers_watched_) {
@@ -215,7 +238,7 @@ void Node::takeFinishedSeek() {
   try {
     result = seeker_.poll();
   } catch (const std::runtime_error& error) {  // range_error, NoConvergence
-    ROS_ERROR("seek refused: %s there", error.what());
+    refused(std::string("seek refused: ") + error.what() + " there");
   }
   if (!result) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(result->motions[i]));
@@ -229,11 +252,17 @@ void Node::jumpTo(double time) {
              spacing);
   }
   clock_.jumpTo(time);
+  refused_.clear();
 }
 
 bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const std::lock_guard<FairMutex> lock(mutex_);
-  clock_.pause(request.data);
+  if (hold_) {
+    hold_->was_paused = request.data;  // as soon as it is let go
+  } else {
+    clock_.pause(request.data);
+  }
+  refused_.clear();
   response.success = true;
   response.message = std::string(request.data ? "paused" : "playing") + " at t = " + shown(clock_.time()) + " s";
   return true;
@@ -253,33 +282,32 @@ bool Node::onStep(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& resp
 
 bool Node::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   const std::lock_guard<FairMutex> lock(mutex_);
-  seeker_.cancel();
-  clock_.jumpTo(0);
   response.success = true;
-  response.message = "back to t = 0";
+  response.message = reset();
   return true;
 }
 
 void Node::onSpeed(const std_msgs::Float64& message) {
   const std::lock_guard<FairMutex> lock(mutex_);
   if (!std::isfinite(message.data)) {
-    ROS_ERROR("speed %g refused: a finite number is allowed", message.data);
+    refused("speed " + shown(message.data) + " refused: a finite number is allowed");
     return;
   }
   const double cost = steppingCost();
   if (cost * std::abs(message.data) > kMostLoad) {
-    ROS_ERROR("speed %g refused: the steps of this scene cost %g CPU s per simulated s; up to %.3g is allowed here",
-              message.data, cost, kMostLoad / cost);
+    refused("speed " + shown(message.data) + " refused: the steps of this scene cost " + shown(cost) +
+            " CPU s per simulated s; up to " + shown(kMostLoad / cost) + " is allowed here");
     return;
   }
   clock_.setSpeed(message.data);
+  refused_.clear();
 }
 
 void Node::onSeek(const std_msgs::Float64& message) {
   const std::lock_guard<FairMutex> lock(mutex_);
   const double time = message.data;
   if (!std::isfinite(time)) {
-    ROS_ERROR("seek to %g refused: a finite time is allowed", time);
+    refused("seek to " + shown(time) + " refused: a finite time is allowed");
     return;
   }
   double total = 0;
@@ -287,9 +315,9 @@ void Node::onSeek(const std_msgs::Float64& message) {
     const MotionSetup& setup = body->motion().setup();
     const double steps = body->motion().stepsTo(time);
     if (steps > kMostSeekSteps) {
-      ROS_ERROR("seek to %g s refused: body %s under %s would take %.3g steps of %g s; at most %g are allowed", time,
-                body->name().c_str(), setup.method.c_str(), std::isfinite(steps) ? steps : std::abs(time) / *setup.step,
-                *setup.step, kMostSeekSteps);
+      refused("seek to " + shown(time) + " s refused: body " + body->name() + " under " + setup.method +
+              " would take " + shown(std::isfinite(steps) ? steps : std::abs(time) / *setup.step) + " steps of " +
+              shown(*setup.step) + " s; at most " + shown(kMostSeekSteps) + " are allowed");
       return;
     }
     total += steps;
@@ -300,7 +328,7 @@ void Node::onSeek(const std_msgs::Float64& message) {
       try {
         body->motion().at(time);
       } catch (const std::runtime_error& error) {  // range_error, NoConvergence
-        ROS_ERROR("seek to %g s refused: body %s: %s there", time, body->name().c_str(), error.what());
+        refused("seek to " + shown(time) + " s refused: body " + body->name() + ": " + error.what() + " there");
         return;
       }
     }

@@ -78,7 +78,8 @@ Parameters readParameters(const ros::NodeHandle& handle) {
     }
   });
   ifSet(handle, names::kSceneFile, [&](XmlRpc::XmlRpcValue& value) {
-    out.scene = scene::readFile(readText(names::kSceneFile, value, "the path of a scene file"));
+    out.scene_file = readText(names::kSceneFile, value, "the path of a scene file");
+    out.scene = scene::readFile(out.scene_file);
   });
 
   if (out.scene.rate) out.rate = *out.scene.rate;
@@ -96,12 +97,17 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   });
   ifSet(handle, names::kFramePrefix, [&](XmlRpc::XmlRpcValue& value) {
     out.frame_prefix = readPrefix(value);
-    for (const scene::Body& body : out.scene.bodies) {
-      if (out.frame_prefix + body.name == names::kWorld)
-        refuse(names::kFramePrefix, value, "one that makes no body's frame \"world\"");
-    }
+    checkPrefix(out.frame_prefix, out.scene);
   });
   return out;
+}
+
+void checkPrefix(const std::string& frame_prefix, const scene::Scene& scene) {
+  for (const scene::Body& body : scene.bodies) {
+    if (frame_prefix + body.name == names::kWorld) {
+      refuse(names::kFramePrefix, XmlRpc::XmlRpcValue(frame_prefix), "one that makes no body's frame \"world\"");
+    }
+  }
 }
 
 }  // namespace poinsot::node

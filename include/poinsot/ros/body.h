@@ -13,8 +13,9 @@ namespace poinsot::node {
 /** One body of the scene on the ROS graph: what it costs, and its publishers. */
 class Body : public MovingBody {
  public:
-  /** @param rate of the ticks [Hz]. */
-  Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle);
+  /** @param rate of the ticks [Hz]; keep: see BodyPicture. */
+  Body(const scene::Body& body, const std::string& frame_prefix, double rate, const ros::NodeHandle& handle,
+       const std::optional<PictureFrame>& keep = std::nullopt);
 
   const CostMeter& cost() const { return cost_; }
   /** Of the last move. */

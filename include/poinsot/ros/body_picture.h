@@ -17,12 +17,20 @@
 #include "poinsot/view/path.h"
 #include "poinsot/view/picture_scale.h"
 #include "poinsot/view/polhode.h"
+#include "poinsot/view/reach.h"
 #include "poinsot/view/trail.h"
 
 namespace poinsot::node {
 
 /** Begins an array that may meet markers of an earlier scene in a viewer. */
 visualization_msgs::MarkerArray clearedMarkers();
+
+/** How the two pictures of a body stand and how large they are drawn. */
+struct PictureFrame {
+  view::Layout layout;
+  view::PictureScale scale;
+  view::Reach reach;  ///< of a body under torques
+};
 
 /**
  * One body's markers: the body itself, the two pictures of Poinsot's construction, and what shows its effects.
@@ -38,10 +46,16 @@ class BodyPicture {
     pictures  ///< how large the pictures of a body under torques will get as well (view/reach.h)
   };
 
-  BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail);
+  /** @param keep draws it as large as another picture of the body, and turned alike; else it is laid out anew. */
+  BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
+              const std::optional<PictureFrame>& keep = std::nullopt);
 
   const view::Layout& layout() const { return layout_; }
   const view::PictureScale& scale() const { return scale_; }
+  PictureFrame frame() const { return {layout_, scale_, reach_}; }
+
+  /** At the start. */
+  view::Regime regime() const { return polhode_.regime; }
 
   /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;
@@ -103,6 +117,7 @@ class BodyPicture {
   view::Polhode polhode_;            ///< at t = 0
   view::Layout layout_;
   view::PictureScale scale_;
+  view::Reach reach_;   ///< of a body under torques
   double title_depth_;  ///< of the titles below the centres [m]
   view::Trail trail_;
   Stage stage_;

@@ -23,10 +23,15 @@ namespace poinsot::node {
 /** One body of the scene as messages: moved from tick to tick, it says what is to be sent. It sends nothing itself. */
 class MovingBody {
  public:
-  /** @param markers false: there is no picture(), which saves memory where there are many bodies. */
-  MovingBody(const scene::Body& body, const std::string& frame_prefix, bool markers = true);
+  /**
+   * @param markers false: there is no picture(), which saves memory where there are many bodies.
+   * @param keep see BodyPicture.
+   */
+  MovingBody(const scene::Body& body, const std::string& frame_prefix, bool markers = true,
+             const std::optional<PictureFrame>& keep = std::nullopt);
 
   const std::string& name() const { return name_; }
+  const names::Frames& frames() const { return frames_; }
   Motion& motion() { return motion_; }
   const Motion& motion() const { return motion_; }
   BodyPicture& picture() { return *picture_; }

@@ -12,13 +12,20 @@ inline constexpr const char* kDescription = "description";
 inline constexpr const char* kMarkers = "markers";
 inline constexpr const char* kMarkersStatic = "markers_static";
 inline constexpr const char* kClock = "/clock";
+inline constexpr const char* kTfStatic = "/tf_static";
 
-// Services and topics in, private.
+// Services and topics, private.
+inline constexpr const char* kStatus = "status";
 inline constexpr const char* kPause = "pause";
 inline constexpr const char* kStep = "step";
 inline constexpr const char* kReset = "reset";
+inline constexpr const char* kLoadScene = "load_scene";
+inline constexpr const char* kSetMethod = "set_method";
+inline constexpr const char* kSetSpin = "set_spin";
 inline constexpr const char* kSpeed = "speed";
 inline constexpr const char* kSeek = "seek";
+inline constexpr const char* kViewpoint = "viewpoint";
+inline constexpr const char* kGrip = "grip";  // of an interactive marker server: grip/update, grip/feedback, …
 
 // Parameters, private.
 inline constexpr const char* kScene = "scene";

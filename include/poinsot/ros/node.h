@@ -1,24 +1,33 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <geometry_msgs/PointStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/service_server.h>
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "poinsot/LoadScene.h"
+#include "poinsot/NodeStatus.h"
+#include "poinsot/SetMethod.h"
+#include "poinsot/SetSpin.h"
 #include "poinsot/ros/body.h"
 #include "poinsot/ros/fair_mutex.h"
+#include "poinsot/ros/grip.h"
 #include "poinsot/ros/pacer.h"
 #include "poinsot/ros/parameters.h"
+#include "poinsot/ros/rebuild.h"
 #include "poinsot/ros/seeker.h"
 #include "poinsot/ros/simulation_clock.h"
 
@@ -27,7 +36,8 @@ namespace poinsot::node {
 /**
  * The node: at each tick it asks the clock for the time and every body for its state at that time, and publishes.
  *
- * Ticks run in the caller's thread, services and topics in ROS's; one mutex lies between them.
+ * Ticks run in the caller's thread, services and topics in ROS's; one mutex lies between them. What changes bodies is
+ * worked out on a third thread and takes effect at a tick (node_changes.cpp).
  */
 class Node {
  public:
@@ -47,10 +57,66 @@ class Node {
   void publishMarkers(const Tick& tick);
   void takeFinishedSeek();
   void jumpTo(double time);
+  void diagnoseBody(const std::string& name);
+  void publishStatus();
+
+  // What changes bodies.
+  /** A scene that is to play instead, or the present one with some bodies changed. */
+  struct Change {
+    scene::Scene scene, start_scene;  ///< as it is to be; as ~reset is to bring it back
+    std::string name, file;
+    std::set<std::size_t> bodies;  ///< to be made anew
+    bool all = false;              ///< another scene: no body stays
+    bool from_start = false;       ///< at t = 0
+    bool redraw = false;           ///< pictures are laid out anew
+    std::string what;              ///< is being done, in words
+  };
+  /** The scene as it is to be once all that was asked for is done. */
+  Change wanted() const;
+  void ask(Change change);
+  void startRebuild();
+  void takeFinishedRebuild();
+  void exchange(Rebuild::Result&& made);
+  void refused(const std::string& what);
+  std::size_t indexOf(const std::string& body) const;  ///< throws scene::Error, with the names there are
+  void askForSpin(std::size_t body, const Eigen::Vector3d& omega_body);
+  /** @return what is done, in words. */
+  std::string reset();
+
+  // Taking hold of a spin. Points in the frame of the picture in body axes [m].
+  /** A body that somebody holds. */
+  struct Hold {
+    std::size_t body = 0;
+    bool was_paused = false;
+    bool led = false;  ///< away from where it was taken
+    Eigen::Vector3d taken_at = Eigen::Vector3d::Zero();
+    Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  ///< where it was led to [rad/s]
+    bool let_go = false;                                   ///< what was asked for is being worked out
+    ros::SteadyTime touched;
+    std::unique_ptr<MovingBody> preview;  ///< the body as it would start from there
+    bool preview_is_new = false;
+    ros::SteadyTime preview_sent;
+  };
+  void takeTouches();
+  void touched(const Touch& touch);
+  void press(std::size_t body);
+  void lead(const Touch& touch);
+  void letGo();
+  void endHold();
+  void choose(const Touch& touch);
+  Eigen::Vector3d omegaPoint(const MovingBody& body) const;
+  void placeGrips();
+  void publishPreview();
+  /** What is drawn of a body: what it would be, while somebody holds it. */
+  MovingBody& drawn(std::size_t body) const;
 
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool onStep(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool onLoadScene(LoadScene::Request& request, LoadScene::Response& response);
+  bool onSetMethod(SetMethod::Request& request, SetMethod::Response& response);
+  bool onSetSpin(SetSpin::Request& request, SetSpin::Response& response);
+  void onViewpoint(const geometry_msgs::PointStamped& message);
   void onSpeed(const std_msgs::Float64& message);
   void onSeek(const std_msgs::Float64& message);
 
@@ -61,19 +127,36 @@ class Node {
   Pacer pacer_;
   Seeker seeker_;
   double rate_;
+  std::string frame_prefix_;
+  scene::Scene scene_;        ///< as it plays, in the order of bodies_
+  scene::Scene start_scene_;  ///< as ~reset brings it back
+  std::string scene_name_, scene_file_;
+  std::vector<std::string> scene_names_;  ///< of the package
   std::vector<std::unique_ptr<Body>> bodies_;
   bool some_body_steps_ = false;  ///< then labels tell how well
 
   ros::NodeHandle handle_, private_handle_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   std::vector<geometry_msgs::TransformStamped> transforms_;  ///< reused from tick to tick
-  ros::Publisher clock_publisher_, markers_publisher_, markers_static_publisher_;
+  ros::Publisher clock_publisher_, markers_publisher_, markers_static_publisher_, status_publisher_;
+  ros::Publisher static_tf_publisher_;  ///< not a broadcaster, which would never forget the frames of another scene
   std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last
   bool markers_watched_ = false;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Subscriber> subscribers_;
   diagnostic_updater::Updater diagnostics_;
+
+  Rebuild rebuild_;
+  std::optional<Change> change_;  ///< that is asked for and not yet there
+  bool change_is_newer_ = false;  ///< than what is being worked out
+  std::string refused_;           ///< the last of what was refused
+
+  std::unique_ptr<Grip> grip_;
+  view::Keep keep_ = view::Keep::energy;
+  std::size_t ticks_since_grips_ = 0;
+  std::optional<Hold> hold_;
+  std::optional<Eigen::Vector3d> eye_;  ///< of whoever looks, world axes [m]
+  ros::WallTimer status_timer_;
 };
 
 }  // namespace poinsot::node

@@ -13,6 +13,7 @@ namespace poinsot::node {
 /** The node's private parameters, validated. */
 struct Parameters {
   scene::Scene scene;                 ///< with a method and a step for every body
+  std::string scene_file;             ///< its path; empty where it came as a tree
   std::vector<std::string> choices;   ///< what was chosen for bodies that name an accuracy, a sentence each
   double rate = scene::kDefaultRate;  ///< [Hz]
   bool publish_clock = false;
@@ -30,5 +31,8 @@ class ParameterError : public std::runtime_error {
  * Throws ParameterError, or scene::Error for a bad scene.
  */
 Parameters readParameters(const ros::NodeHandle& private_handle);
+
+/** Throws ParameterError where the prefix makes a body's frame "world". */
+void checkPrefix(const std::string& frame_prefix, const scene::Scene& scene);
 
 }  // namespace poinsot::node

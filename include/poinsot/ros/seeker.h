@@ -25,6 +25,7 @@ class Seeker {
   /** Starts, giving up what was under way. */
   void start(std::vector<Motion> motions, double time);
   void cancel();
+  bool busy() const { return work_.valid(); }
 
   /** The result, once, when it is there. Throws std::range_error, once, where a motion has no state at that time. */
   std::optional<Result> poll();

@@ -40,8 +40,14 @@ class SimulationClock {
   /** Jumps to t at the next tick, which begins a new segment. */
   void jumpTo(double t);
 
+  /** The next tick begins a new segment, at the t that it would have anyway: something else moves from there on. */
+  void beginSegment() { new_segment_ = true; }
+
   /** The time of the last tick; the start time before the first. */
   double time() const { return time_; }
+
+  /** The segment of the last tick. */
+  std::uint32_t segment() const { return segment_; }
 
   /** The stamp of the last tick. */
   const ros::Time& stamp() const { return stamp_; }

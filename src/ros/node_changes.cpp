@@ -1,0 +1,502 @@
+// What changes the bodies while they play: another scene, another method, another spin, and taking hold of one.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/ros/node.h"
+#include "poinsot/ros/number_text.h"
+#include "poinsot/ros/scene_list.h"
+#include "poinsot/scene/changes.h"
+#include "poinsot/scene/reader.h"
+#include "poinsot/view/flips.h"
+#include "poinsot/view/grasp.h"
+
+namespace poinsot::node {
+namespace {
+
+constexpr double kMostLoad = 0.8;           // of one core, for the steppers
+constexpr double kMostStepsAhead = 1e9;     // that a new method may take to the present t
+constexpr double kClick = 0.005;            // m: a hand that moves less has not led anything
+constexpr std::size_t kMostGrips = 16;      // bodies beyond have none
+constexpr std::size_t kGripsEachTick = 4;   // with more they are placed more rarely
+const ros::WallDuration kHoldForgotten(3);  // a viewer that died lets go
+const ros::WallDuration kPreviewPause(0.05);
+const ros::WallDuration kResendAfterScene(0.5);
+
+bool sameStart(const scene::Body& a, const scene::Body& b) {
+  const bool same_place = a.translation.has_value() == b.translation.has_value() &&
+                          (!a.translation || (a.translation->position == b.translation->position &&
+                                              a.translation->velocity == b.translation->velocity));
+  return same_place && a.omega_body == b.omega_body && a.attitude.coeffs() == b.attitude.coeffs();
+}
+
+const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
+
+}  // namespace
+
+std::size_t Node::indexOf(const std::string& body) const {
+  std::string names;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i]->name() == body) return i;
+    names += (i ? ", " : "") + bodies_[i]->name();
+  }
+  throw scene::Error("there is no body \"" + body + "\"; allowed: " + names);
+}
+
+void Node::refused(const std::string& what) {
+  ROS_ERROR("%s", what.c_str());
+  refused_ = what;
+}
+
+// Working out.
+
+Node::Change Node::wanted() const {
+  if (change_) return *change_;
+  Change out;
+  out.scene = scene_;
+  out.start_scene = start_scene_;
+  out.name = scene_name_;
+  out.file = scene_file_;
+  return out;
+}
+
+void Node::ask(Change change) {
+  change_ = std::move(change);
+  if (rebuild_.busy()) {
+    change_is_newer_ = true;
+    rebuild_.cancel();
+  } else {
+    startRebuild();
+  }
+}
+
+void Node::startRebuild() {
+  Rebuild::Order order;
+  order.scene = change_->scene;
+  if (change_->all) {
+    for (std::size_t i = 0; i < order.scene.bodies.size(); ++i) order.bodies.push_back(i);
+  } else {
+    order.bodies.assign(change_->bodies.begin(), change_->bodies.end());
+    for (const std::size_t i : order.bodies) {
+      order.keep.push_back(change_->redraw ? std::nullopt : std::make_optional(bodies_[i]->picture().frame()));
+    }
+  }
+  order.time = change_->from_start ? 0 : clock_.time();
+  order.rate = rate_;
+  order.frame_prefix = frame_prefix_;
+  rebuild_.start(std::move(order), handle_);
+}
+
+void Node::takeFinishedRebuild() {
+  std::optional<Rebuild::Result> made;
+  std::string problem;
+  try {
+    made = rebuild_.poll();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (!made && problem.empty()) return;
+  if (change_is_newer_) {
+    change_is_newer_ = false;
+    startRebuild();
+    return;
+  }
+  if (made) {
+    double cost = 0;
+    for (const auto& body : made->bodies) cost += body->cost().steppingCost();
+    for (std::size_t i = 0; i < bodies_.size() && !change_->all; ++i) {
+      if (change_->bodies.count(i) == 0) cost += bodies_[i]->cost().steppingCost();
+    }
+    if (cost * std::abs(clock_.speed()) > kMostLoad) {
+      problem = "its steps cost " + shown(cost) + " CPU s per simulated s here, and at speed " + shown(clock_.speed()) +
+                " at most " + shown(kMostLoad / std::abs(clock_.speed())) +
+                " is allowed: take larger steps or a lower speed";
+    }
+  }
+  if (!problem.empty()) {
+    refused(change_->what + " refused: " + problem);
+    change_.reset();
+    endHold();
+    return;
+  }
+  exchange(std::move(*made));
+}
+
+void Node::exchange(Rebuild::Result&& made) {
+  for (const std::string& said : made.said) ROS_INFO("%s", said.c_str());
+  seeker_.cancel();
+  if (change_->all) {
+    for (const auto& body : bodies_) diagnostics_.removeByName("body " + body->name());
+    grip_->removeAll();
+    bodies_ = std::move(made.bodies);
+    for (const auto& body : bodies_) diagnoseBody(body->name());
+    resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;  // its frames are new to everybody
+  } else {
+    for (std::size_t k = 0; k < made.indices.size(); ++k) bodies_[made.indices[k]] = std::move(made.bodies[k]);
+  }
+  scene_ = std::move(made.scene);
+  start_scene_ = std::move(change_->start_scene);
+  scene_name_ = change_->name;
+  scene_file_ = change_->file;
+  some_body_steps_ =
+      std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return !body->motion().inClosedForm(); });
+  if (change_->from_start) {
+    clock_.jumpTo(0);
+  } else {
+    clock_.beginSegment();
+  }
+  change_.reset();
+  refused_.clear();
+  if (hold_) {
+    clock_.pause(hold_->was_paused);
+    hold_.reset();
+  }
+  publishStatic();
+  markers_watched_ = false;  // what moves begins anew as well
+}
+
+// What is asked for.
+
+bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& response) {
+  try {
+    const std::string file = sceneFile(request.scene.empty() && !scene_file_.empty() ? scene_file_ : request.scene);
+    Change change;
+    change.scene = scene::readFile(file);
+    checkPrefix(frame_prefix_, change.scene);
+    for (const std::string& warning : change.scene.warnings) ROS_WARN("%s", warning.c_str());
+    change.start_scene = change.scene;
+    change.name = sceneName(file);
+    change.file = file;
+    change.all = change.from_start = true;
+    change.what = "scene " + change.name;
+    const std::lock_guard<FairMutex> lock(mutex_);
+    endHold();
+    ask(std::move(change));
+    response.success = true;
+    response.message = "scene " + sceneName(file) + " is being made ready";
+  } catch (const std::exception& error) {
+    const std::lock_guard<FairMutex> lock(mutex_);
+    refused(error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& response) {
+  const std::lock_guard<FairMutex> lock(mutex_);
+  try {
+    Change change = wanted();
+    if (change.all) throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+    const std::size_t i = indexOf(request.body);
+    std::vector<std::string> warnings;
+    scene::Body body = scene::withMethod(change.scene.bodies[i], request.method,
+                                         request.step == 0 ? std::nullopt : std::make_optional(request.step), warnings);
+    response.message = request.body + ": " + body.method;
+    if (body.step) {
+      const double steps = std::abs(clock_.time()) / *body.step;
+      if (!change.from_start && !(steps <= kMostStepsAhead)) {
+        throw scene::Error("body \"" + request.body + "\": to t = " + shown(clock_.time()) + " s there are " +
+                           shown(steps) + " steps of " + shown(*body.step) + " s; allowed: at most " +
+                           shown(kMostStepsAhead) + ", nearer to t = 0");
+      }
+      response.message += " with a step of " + shown(*body.step) + " s";
+    }
+    for (const std::string& warning : warnings) {
+      ROS_WARN("%s", warning.c_str());
+      response.message += "; " + warning;
+    }
+    // What ~reset brings back is the start; the method stays.
+    change.scene.bodies[i] = std::move(body);
+    change.bodies.insert(i);
+    change.what = "method " + request.method + " of " + request.body;
+    ask(std::move(change));
+    response.success = true;
+  } catch (const std::exception& error) {
+    refused(error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool Node::onSetSpin(SetSpin::Request& request, SetSpin::Response& response) {
+  const std::lock_guard<FairMutex> lock(mutex_);
+  try {
+    const geometry_msgs::Vector3& omega = request.omega_body;
+    askForSpin(indexOf(request.body), {omega.x, omega.y, omega.z});
+    response.success = true;
+  } catch (const std::exception& error) {
+    refused(error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+void Node::askForSpin(std::size_t i, const Eigen::Vector3d& omega_body) {
+  Change change = wanted();
+  if (change.all) throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+  change.scene.bodies[i] = scene::withSpin(change.scene.bodies[i], bodies_[i]->state(), omega_body);
+  change.bodies.insert(i);
+  change.from_start = true;
+  change.what = "spin of " + bodies_[i]->name();
+  ask(std::move(change));
+}
+
+std::string Node::reset() {
+  endHold();
+  seeker_.cancel();
+  Change change = wanted();
+  bool changed = false;
+  for (std::size_t i = 0; i < change.scene.bodies.size() && !change.all; ++i) {
+    if (sameStart(change.scene.bodies[i], change.start_scene.bodies[i])) continue;
+    change.scene.bodies[i] = scene::withStartOf(change.scene.bodies[i], change.start_scene.bodies[i]);
+    change.bodies.insert(i);
+    changed = true;
+  }
+  if (!changed) {
+    clock_.jumpTo(0);
+    refused_.clear();
+    return "back to t = 0";
+  }
+  change.from_start = change.redraw = true;
+  change.what = "reset";
+  ask(std::move(change));
+  return "going back to t = 0 and the scene's own spins";
+}
+
+// Taking hold.
+
+void Node::onViewpoint(const geometry_msgs::PointStamped& message) {
+  const Eigen::Vector3d eye(message.point.x, message.point.y, message.point.z);
+  const std::lock_guard<FairMutex> lock(mutex_);
+  if (message.header.frame_id != names::kWorld || !eye.allFinite()) {
+    ROS_WARN_THROTTLE(10, "a viewpoint in frame %s is of no use: finite, in frame %s is",
+                      message.header.frame_id.c_str(), names::kWorld);
+    return;
+  }
+  eye_ = eye;
+}
+
+MovingBody& Node::drawn(std::size_t body) const {
+  if (hold_ && hold_->body == body && hold_->preview) return *hold_->preview;
+  return *bodies_[body];
+}
+
+Eigen::Vector3d Node::omegaPoint(const MovingBody& body) const {
+  return body.picture().scale().metres_per_radian_per_second * body.state().omega_body;
+}
+
+void Node::takeTouches() {
+  for (const Touch& touch : grip_->take()) {
+    try {
+      touched(touch);
+    } catch (const std::exception& error) {
+      refused(error.what());
+    }
+  }
+  if (hold_ && !hold_->let_go && ros::SteadyTime::now() - hold_->touched > kHoldForgotten) {
+    ROS_WARN("whoever held %s is gone: it goes on as it was", bodies_[hold_->body]->name().c_str());
+    endHold();
+  }
+}
+
+void Node::touched(const Touch& touch) {
+  switch (touch.kind) {
+    case Touch::Kind::reset:
+      reset();
+      return;
+    case Touch::Kind::keep:
+      keep_ = touch.keep;
+      grip_->showKept(keep_);
+      return;
+    case Touch::Kind::press:
+      press(indexOf(touch.body));
+      return;
+    case Touch::Kind::lead:
+      lead(touch);
+      return;
+    case Touch::Kind::hold:
+      if (hold_ && bodies_[hold_->body]->name() == touch.body) hold_->touched = ros::SteadyTime::now();
+      return;
+    case Touch::Kind::let_go:
+      if (hold_ && bodies_[hold_->body]->name() == touch.body) letGo();
+      return;
+    case Touch::Kind::axis:
+    case Touch::Kind::near:
+    case Touch::Kind::separatrix:
+      choose(touch);
+      return;
+  }
+}
+
+void Node::press(std::size_t body) {
+  if (hold_ && hold_->body == body) {
+    if (!hold_->let_go) return;
+  }
+  endHold();
+  hold_.emplace();
+  hold_->body = body;
+  hold_->was_paused = clock_.paused();
+  hold_->taken_at = omegaPoint(*bodies_[body]);
+  hold_->touched = ros::SteadyTime::now();
+  clock_.pause(true);
+}
+
+void Node::lead(const Touch& touch) {
+  const std::size_t i = indexOf(touch.body);
+  const MovingBody& body = *bodies_[i];
+  grip_->forget(touch.body);  // the server took the hand's place for the grip's
+  if (touch.frame != body.frames().model) {
+    throw scene::Error("grip of " + touch.body + ": a place in frame \"" + touch.frame + "\"; allowed: frame " +
+                       body.frames().model);
+  }
+  if (body.state().omega_body.isZero(0)) throw scene::Error("grip of " + touch.body + ": " + kRestsText);
+  const double metres = body.picture().scale().metres_per_radian_per_second;
+  const PrincipalInertia& inertia = body.motion().setup().inertia;
+  const auto principal = [&](const Eigen::Vector3d& in_body) -> Eigen::Vector3d {
+    return inertia.axes().conjugate() * in_body;
+  };
+  const Eigen::Vector3d semi_axes =
+      metres * view::keptSemiAxes(inertia.moments(), principal(body.state().omega_body), keep_);
+  std::optional<Eigen::Vector3d> place;
+  if (eye_) {
+    const view::Layout& layout = body.picture().layout();
+    const Eigen::Vector3d eye = layout.model_orientation.conjugate() * (*eye_ - layout.model_centre);
+    place = view::pointInSight(semi_axes, principal(eye), principal(touch.point));
+  } else {
+    place = view::pointTowards(semi_axes, principal(touch.point));
+  }
+  if (!place) {
+    throw scene::Error("grip of " + touch.body + ": (" + shown(touch.point.x()) + ", " + shown(touch.point.y()) + ", " +
+                       shown(touch.point.z()) +
+                       ") m is no place to lead Omega to; allowed: finite places off the centre");
+  }
+  if (!hold_ || hold_->body != i || hold_->let_go) press(i);
+  hold_->touched = ros::SteadyTime::now();
+  if (!hold_->led && (touch.point - hold_->taken_at).stableNorm() < kClick) return;
+  hold_->led = true;
+  hold_->omega_body = inertia.axes() * *place / metres;
+  scene::Body start = scene::withSpin(scene_.bodies[i], body.state(), hold_->omega_body);
+  if (start.effects.empty()) {
+    start.method = kClosedForm;  // only its start is looked at
+    start.step.reset();
+  }
+  hold_->preview = std::make_unique<MovingBody>(start, frame_prefix_, true, body.picture().frame());
+  hold_->preview_is_new = true;
+}
+
+void Node::letGo() {
+  if (!hold_->led) {
+    endHold();
+    return;
+  }
+  try {
+    askForSpin(hold_->body, hold_->omega_body);
+    hold_->let_go = true;
+  } catch (const std::exception&) {
+    endHold();
+    throw;
+  }
+}
+
+void Node::endHold() {
+  if (!hold_) return;
+  const bool has_preview = hold_->preview != nullptr;
+  clock_.pause(hold_->was_paused);
+  grip_->forget(bodies_[hold_->body]->name());
+  hold_.reset();
+  if (!has_preview) return;
+  markers_static_publisher_.publish(staticMarkers());
+  markers_watched_ = false;
+}
+
+void Node::choose(const Touch& touch) {
+  const std::size_t i = indexOf(touch.body);
+  endHold();
+  const PrincipalInertia& inertia = bodies_[i]->motion().setup().inertia;
+  const Eigen::Vector3d omega = inertia.axes().conjugate() * bodies_[i]->state().omega_body;
+  if (omega.isZero(0)) throw scene::Error("spin of " + touch.body + ": " + kRestsText);
+  Eigen::Vector3d chosen;
+  if (touch.kind == Touch::Kind::axis) {
+    chosen = view::axisSpin(inertia.moments(), omega, keep_, touch.axis);
+  } else if (touch.kind == Touch::Kind::near) {
+    chosen = view::nearAxis(inertia.moments(), omega, keep_, touch.axis);
+  } else {
+    try {
+      chosen = view::onSeparatrix(inertia.moments(), omega, keep_);
+    } catch (const std::invalid_argument& error) {
+      throw scene::Error("spin of " + touch.body + ": " + error.what() + "; allowed: spins about or near an axis");
+    }
+  }
+  askForSpin(i, inertia.axes() * chosen);
+}
+
+void Node::publishPreview() {
+  if (!hold_ || !hold_->preview_is_new || ros::SteadyTime::now() - hold_->preview_sent < kPreviewPause) return;
+  hold_->preview_is_new = false;
+  hold_->preview_sent = ros::SteadyTime::now();
+  markers_static_publisher_.publish(staticMarkers());
+}
+
+void Node::placeGrips() {
+  if (!grip_->watched()) return;
+  const std::size_t pause = (bodies_.size() + kGripsEachTick - 1) / kGripsEachTick;
+  if (++ticks_since_grips_ < pause && !hold_) return;
+  ticks_since_grips_ = 0;
+  for (std::size_t i = 0; i < std::min(bodies_.size(), kMostGrips); ++i) {
+    const MovingBody& body = drawn(i);
+    if (body.state().omega_body.isZero(0)) {
+      grip_->remove(body.name());
+    } else {
+      grip_->place(body.name(), body.frames().model, omegaPoint(body));
+    }
+  }
+  grip_->apply();
+}
+
+// What is said of it.
+
+void Node::publishStatus() {
+  if (status_publisher_.getNumSubscribers() == 0) return;
+  const std::lock_guard<FairMutex> lock(mutex_);
+  NodeStatus out;
+  out.header.stamp = clock_.stamp();
+  out.scene = scene_name_;
+  out.scene_file = scene_file_;
+  out.scenes = scene_names_;
+  out.time = clock_.time();
+  out.segment = clock_.segment();
+  out.paused = clock_.paused();
+  out.speed = clock_.speed();
+  out.rate = rate_;
+  out.busy = change_ ? change_->what : seeker_.busy() ? "seek" : "";
+  out.refused = refused_;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = *bodies_[i];
+    BodyStatus b;
+    b.name = body.name();
+    b.method = body.motion().setup().method;
+    b.step = body.motion().setup().step.value_or(std::numeric_limits<double>::quiet_NaN());
+    b.methods = scene::methodsFor(scene_.bodies[i]);
+    if (const ClosedForm* exact = body.motion().closedForm()) {
+      b.regime = view::textOf(body.picture().regime());
+      const view::Flips flips = view::flipsOf(*exact, body.state().time, clock_.speed());
+      b.flips = flips.flips;
+      b.flips_since_start = flips.since_start;
+      b.time_to_next_flip = flips.to_next;
+    } else {
+      b.regime = "under torque";
+      b.time_to_next_flip = std::numeric_limits<double>::quiet_NaN();
+    }
+    out.bodies.push_back(b);
+  }
+  status_publisher_.publish(out);
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,63 @@
+#include "poinsot/ros/rebuild.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "poinsot/cost/settle.h"
+
+namespace poinsot::node {
+namespace {
+
+// A picture whose longest semi-axis is drawn within these lengths stays as it is; beyond, it is scaled anew [m].
+constexpr double kSmallestKept = 0.55, kLargestKept = 1.35;
+
+std::optional<PictureFrame> ifItFits(const std::optional<PictureFrame>& keep, const scene::Body& body) {
+  if (!keep) return std::nullopt;
+  const Eigen::Vector3d momentum =
+      body.inertia.moments().cwiseProduct(body.inertia.axes().conjugate() * body.omega_body);
+  const double drawn =
+      keep->scale.metres_per_radian_per_second * (momentum.stableNorm() / body.inertia.moments().minCoeff());
+  if (drawn >= kSmallestKept && drawn <= kLargestKept) return keep;
+  return std::nullopt;
+}
+
+Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const std::atomic<bool>& cancelled) {
+  Rebuild::Result out;
+  scene::Scene part;
+  for (const std::size_t i : order.bodies) part.bodies.push_back(order.scene.bodies[i]);
+  out.said = cost::settleMethods(part, order.rate);
+  for (std::size_t k = 0; k < order.bodies.size(); ++k) {
+    const scene::Body& body = part.bodies[k];
+    order.scene.bodies[order.bodies[k]] = body;
+    out.bodies.push_back(std::make_unique<Body>(body, order.frame_prefix, order.rate, handle,
+                                                k < order.keep.size() ? ifItFits(order.keep[k], body) : std::nullopt));
+    Motion& motion = out.bodies.back()->motion();
+    if (cancelled || !motion.prepare(order.time, cancelled)) throw std::runtime_error("given up");
+    motion.at(order.time);  // throws where there is nothing to publish
+  }
+  out.scene = std::move(order.scene);
+  out.indices = std::move(order.bodies);
+  return out;
+}
+
+}  // namespace
+
+Rebuild::~Rebuild() {
+  cancel();
+  if (work_.valid()) work_.wait();
+}
+
+void Rebuild::start(Order order, const ros::NodeHandle& handle) {
+  cancelled_ = false;
+  work_ = std::async(std::launch::async, [this, order = std::move(order), handle]() mutable {
+    return make(std::move(order), handle, cancelled_);
+  });
+}
+
+std::optional<Rebuild::Result> Rebuild::poll() {
+  if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+  return work_.get();
+}
+
+}  // namespace poinsot::node

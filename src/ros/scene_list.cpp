@@ -1,0 +1,48 @@
+#include "poinsot/ros/scene_list.h"
+
+#include <ros/package.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+namespace poinsot::node {
+namespace {
+
+constexpr const char* kEnding = ".yaml";
+
+std::filesystem::path directory() {
+  return std::filesystem::path(ros::package::getPath("poinsot")) / "scenes";
+}
+
+}  // namespace
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> out;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(directory(), none)) {
+    if (entry.path().extension() == kEnding) out.push_back(entry.path().stem().string());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::string sceneFile(const std::string& name_or_path) {
+  if (name_or_path.find('/') != std::string::npos || std::filesystem::path(name_or_path).extension() == kEnding) {
+    return name_or_path;
+  }
+  const std::vector<std::string> names = sceneNames();
+  if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
+    return (directory() / (name_or_path + kEnding)).string();
+  }
+  std::string message = "there is no scene \"" + name_or_path + "\"; allowed: the path of a scene file, or one of";
+  for (std::size_t i = 0; i < names.size(); ++i) message += (i ? ", " : " ") + names[i];
+  throw std::invalid_argument(message);
+}
+
+std::string sceneName(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+}  // namespace poinsot::node
