@@ -1,0 +1,298 @@
+#!/usr/bin/python3
+"""Another scene, another method, another spin while it plays: what a subscriber sees of them."""
+import math
+import os
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rospkg  # noqa: E402
+import rospy  # noqa: E402
+import rostest  # noqa: E402
+from geometry_msgs.msg import Vector3  # noqa: E402
+from tf2_msgs.msg import TFMessage  # noqa: E402
+from visualization_msgs.msg import Marker, MarkerArray  # noqa: E402
+
+import graph  # noqa: E402
+import processes  # noqa: E402
+from poinsot.msg import BodyDescription, BodyState, NodeStatus  # noqa: E402
+from poinsot.srv import LoadScene, SetMethod, SetSpin  # noqa: E402
+
+BODY = "wingnut"
+NAN, INF = float("nan"), float("inf")
+
+
+def vector(v):
+    return (v.x, v.y, v.z)
+
+
+def distance(a, b):
+    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)))
+
+
+class ChangesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("changes_test")
+        cls.control = graph.Control()
+        for name in ("load_scene", "set_method", "set_spin"):
+            rospy.wait_for_service("/poinsot/" + name, 15)
+        cls.load_scene = staticmethod(rospy.ServiceProxy("/poinsot/load_scene", LoadScene))
+        cls.set_method = staticmethod(rospy.ServiceProxy("/poinsot/set_method", SetMethod))
+        cls.set_spin = staticmethod(rospy.ServiceProxy("/poinsot/set_spin", SetSpin))
+        cls.states = graph.Listener("/%s/state" % BODY, BodyState)
+        cls.descriptions = graph.Listener("/%s/description" % BODY, BodyDescription)
+        cls.status = graph.Listener("/poinsot/status", NodeStatus)
+        cls.still = graph.Listener("/markers_static", MarkerArray)
+        cls.moving = graph.Listener("/markers", MarkerArray)
+        cls.tf_static = graph.Listener("/tf_static", TFMessage)
+        graph.wait_for(cls.states.last, 15, "a state")
+        graph.wait_for(cls.status.last, 15, "a status")
+        cls.start = cls.states.next_where(lambda s: True)
+        cls.methods = cls.status.last().bodies[0].methods
+        cls.description = graph.wait_for(cls.descriptions.last, 15, "a description")
+
+    def setUp(self):
+        self.control.speed(1.0)
+        self.control.pause(False)
+        if self.status.last().scene != "dzhanibekov":
+            self.load("dzhanibekov")
+        self.change(lambda: self.set_method(BODY, "closed_form", 0))
+        since = self.states.count()
+        self.control.reset()
+        self.first = self.states.next_where(lambda s: s.time_rate == 1 and 0 <= s.time < 0.1 and s.attitude_error == 0,
+                                            since=since)
+
+    def tearDown(self):
+        self.assertTrue(graph.stamps_never_decrease(self.states.all()), "stamps decreased")
+        segments = [m.segment for m in self.states.all()]
+        self.assertEqual(segments, sorted(segments), "a segment came back")
+
+    def change(self, act):
+        """Does it, expects it to be done, and gives the last state before it and the first of the new segment."""
+        before = self.states.last()
+        since = self.states.count()
+        response = act()
+        self.assertTrue(response.success, response.message)
+        after = self.states.next_where(lambda s: s.segment > before.segment, since=since)
+        before = [s for s in self.states.all() if s.segment < after.segment][-1]
+        return before, after
+
+    def load(self, scene):
+        response = self.load_scene(scene)
+        self.assertTrue(response.success, response.message)
+        self.status.next_where(lambda s: s.scene == os.path.basename(scene).replace(".yaml", "") and not s.busy)
+
+    def refuse(self, act, *pieces):
+        before = self.states.last()
+        response = act()
+        self.assertFalse(response.success)
+        for piece in pieces:
+            self.assertIn(piece, response.message)
+        self.assertEqual(self.status.next_where(lambda s: s.refused).refused, response.message)
+        time.sleep(0.3)
+        self.assertEqual(self.states.last().segment, before.segment, "what was refused changed something")
+        self.assertGreater(self.states.last().time, before.time, "it does not play on")
+
+    def propagated(self, state, method, step=None):
+        """The attitude at the state's t, by the program, from the scene's start."""
+        d = self.description
+        # Body axes to principal ones and back are the caller's affair there.
+        axes = d.principal_axes
+        q0, o0 = multiplied((0.70710678118654752, 0, 0, 0.70710678118654752), quaternion(axes)), \
+            rotated(inverse(quaternion(axes)), (0.0, 0.2, 3.0))
+        row = "a," + ",".join(repr(float(x)) for x in list(d.principal_moments) + list(q0) + list(o0) + [state.time])
+        command = [processes.program("propagate"), "--method", method] + (["--step", repr(step)] if step else [])
+        out = subprocess.run(command, input="id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\n" + row + "\n",
+                             stdout=subprocess.PIPE, check=True, universal_newlines=True).stdout
+        q = [float(x) for x in out.strip().splitlines()[-1].split(",")[2:6]]
+        return multiplied(q, inverse(quaternion(axes)))
+
+    def test_status_says_what_plays(self):
+        status = self.status.last()
+        self.assertEqual(status.scene, "dzhanibekov")
+        scenes = os.path.join(rospkg.RosPack().get_path("poinsot"), "scenes")
+        self.assertEqual(status.scenes, sorted(f[:-5] for f in os.listdir(scenes) if f.endswith(".yaml")))
+        self.assertEqual(os.path.realpath(status.scene_file), os.path.realpath(scenes + "/dzhanibekov.yaml"))
+        self.assertEqual([b.name for b in status.bodies], [BODY])
+        self.assertIn("lie_euler", status.bodies[0].methods)
+        self.assertEqual((status.paused, status.speed, status.rate), (False, 1, 60))
+        self.control.pause(True)
+        self.status.next_where(lambda s: s.paused)
+        self.control.pause(False)
+        self.control.speed(-2.5)
+        self.status.next_where(lambda s: s.speed == -2.5 and not s.paused)
+
+    def test_status_counts_and_foretells_flips(self):
+        # A flip: the component of Omega along the hub, the axis of intermediate moment, changes its sign.
+        status = self.status.next()
+        self.assertTrue(status.bodies[0].flips)
+        flip_at = status.time + status.bodies[0].time_to_next_flip
+        self.assertEqual(status.bodies[0].flips_since_start, 0)
+        self.control.seek(flip_at - 0.2)
+        self.states.next_where(lambda s: abs(s.time - flip_at + 0.2) < 0.1)
+        after = self.states.next_where(lambda s: s.time > flip_at + 0.1)
+        run = [s for s in self.states.all() if s.segment == after.segment]
+        crossing = [(a, b) for a, b in zip(run, run[1:]) if a.omega_body.z * b.omega_body.z <= 0]
+        self.assertEqual(len(crossing), 1)
+        self.assertTrue(crossing[0][0].time - 1e-9 <= flip_at <= crossing[0][1].time + 1e-9)
+        status = self.status.next_where(lambda s: s.time > flip_at)
+        self.assertEqual(status.bodies[0].flips_since_start, 1)
+
+    def test_another_method_goes_on_from_the_same_start(self):
+        before, after = self.change(lambda: self.set_method(BODY, "lie_euler", 0.01))
+        self.assertAlmostEqual(after.time, before.time, delta=0.2)
+        self.assertGreaterEqual(after.time, before.time, "time went back")
+        self.assertEqual(after.segment, before.segment + 1)
+        description = self.descriptions.next_where(lambda d: d.method == "lie_euler", since=0)
+        self.assertEqual(description.step, 0.01)
+        later = self.states.next_where(lambda s: s.time > after.time + 2)
+        self.assertGreater(later.attitude_error, 1e-4, "lie_euler at this step goes wrong")
+        self.assertGreater(abs(later.energy_drift), 1e-6)
+        truth = self.propagated(later, "closed_form")
+        self.assertAlmostEqual(later.attitude_error, angle(truth, quaternion(later.attitude)), delta=1e-9)
+        # On the grid of steps, where the program takes the same ones.
+        self.control.seek(1.0)
+        self.control.pause(True)
+        self.states.next_where(lambda s: s.time_rate == 0)
+        self.control.seek(1.0)
+        state = self.states.next_where(lambda s: s.time == 1.0 and s.time_rate == 0)
+        self.assertLess(angle(self.propagated(state, "lie_euler", 0.01), quaternion(state.attitude)), 1e-12)
+
+    def test_a_step_is_chosen_where_none_is_given(self):
+        for method in ("rk4", "dmv4"):
+            self.change(lambda: self.set_method(BODY, method, 0))
+            status = self.status.next_where(lambda s: s.bodies[0].method == method)
+            self.assertGreater(status.bodies[0].step, 0)
+            self.assertLess(status.bodies[0].step, 0.1)
+
+    def test_bad_methods_are_refused(self):
+        self.refuse(lambda: self.set_method(BODY, "rk5", 0), "rk5", "allowed: closed_form")
+        self.refuse(lambda: self.set_method("book", "rk4", 0), "book", "allowed: wingnut")
+        self.refuse(lambda: self.set_method(BODY, "rk4", -1), "step", "allowed: a positive finite number")
+        self.refuse(lambda: self.set_method(BODY, "rk4", NAN), "step", "allowed: a positive finite number")
+        self.refuse(lambda: self.set_method(BODY, "rk4", 50), "rk4 with a step of 50 s", "a step of at most")
+
+    def test_another_spin_starts_where_the_body_is(self):
+        self.states.next_where(lambda s: s.time > 0.5)
+        omega = Vector3(2.5, 0.3, -0.4)
+        before, after = self.change(lambda: self.set_spin(BODY, omega))
+        self.assertEqual(after.time, 0)
+        self.assertEqual(after.segment, before.segment + 1)
+        self.assertLess(distance(vector(after.omega_body), vector(omega)), 1e-14)
+        # It was made ready while the body moved on: the attitude is that of a state lately seen.
+        seen = [graph.quaternion_distance(s.attitude, after.attitude)
+                for s in self.states.all()[-120:] if s.segment == before.segment]
+        self.assertLess(min(seen), 0.06)
+        # The picture is that of the new spin.
+        bead = marker_at(self.moving, after.header.stamp, BODY + "/model/omega")
+        still = self.still.last()
+        for what in ("energy_ellipsoid", "momentum_ellipsoid"):
+            ellipsoid = next(m for m in still.markers if m.ns == "%s/model/%s" % (BODY, what))
+            self.assertAlmostEqual(level(ellipsoid, vector(bead.pose.position)), 1, delta=0.01)
+
+    def test_forbidden_spins_are_refused(self):
+        for bad in (NAN, INF, -INF, 1e200):
+            self.refuse(lambda: self.set_spin(BODY, Vector3(1, bad, 0)), BODY, "allowed: 3 finite numbers")
+        self.refuse(lambda: self.set_spin("book", Vector3(1, 0, 0)), "book", "allowed: wingnut")
+
+    def test_rest_is_allowed_and_reset_brings_the_spin_back(self):
+        self.change(lambda: self.set_spin(BODY, Vector3(0, 0, 0)))
+        self.assertEqual(vector(self.states.next().omega_body), (0, 0, 0))
+        self.change(self.control.reset)
+        self.assertLess(distance(vector(self.states.next().omega_body), (0, 0.2, 3)), 0.1)
+
+    def test_reset_brings_the_start_back_and_leaves_the_method(self):
+        self.change(lambda: self.set_method(BODY, "buss2", 0.01))
+        self.change(lambda: self.set_spin(BODY, Vector3(2.5, 0.3, -0.4)))
+        _, after = self.change(self.control.reset)
+        self.assertEqual(after.time, 0)
+        self.assertLess(distance(vector(after.omega_body), (0, 0.2, 3)), 1e-14)
+        self.assertLess(angle(quaternion(after.attitude), (0.70710678118654752, 0, 0, 0.70710678118654752)), 1e-15)
+        self.assertEqual(self.status.next().bodies[0].method, "buss2")
+
+    def test_another_scene_while_it_plays(self):
+        for scene in ("regimes", os.path.join(rospkg.RosPack().get_path("poinsot"), "scenes", "heavy_top_cusps.yaml")):
+            self.still.clear()
+            self.load(scene)
+            status = self.status.last()
+            names = [b.name for b in status.bodies]
+            self.assertNotIn(BODY, names)
+            self.assertLess(status.time, 20)
+            for name in names:
+                listener = graph.Listener("/%s/state" % name, BodyState)
+                state = listener.next()
+                self.assertEqual(state.segment, status.segment)
+                listener.close()
+            still = self.still.last()
+            self.assertEqual(still.markers[0].action, Marker.DELETEALL)
+            drawn = {m.ns.split("/")[0] for m in still.markers[1:]}
+            self.assertEqual(drawn, set(names), "a late RViz would see bodies of another scene")
+            frames = {t.child_frame_id.split("_space")[0].split("_model")[0] for t in self.tf_static.last().transforms}
+            self.assertEqual(frames, set(names))
+            topics = {name for name, _ in rospy.get_published_topics()}
+            self.assertNotIn("/%s/state" % BODY, topics)
+        since = self.states.count()
+        self.load("dzhanibekov")
+        self.assertEqual(self.states.next_where(lambda s: s.time_rate == 1, since=since).body, BODY)
+
+    def test_bad_scenes_are_refused(self):
+        self.refuse(lambda: self.load_scene("nosuch"), "nosuch", "allowed:", "dzhanibekov")
+        self.refuse(lambda: self.load_scene("/nowhere/at_all.yaml"), "/nowhere/at_all.yaml")
+        bad = os.path.join(os.environ.get("ROS_HOME", "/tmp"), "poinsot_bad_scene.yaml")
+        with open(bad, "w") as file:
+            file.write("bodies:\n  - {name: a, inertia: [1, -2, 3], angular_velocity: [0, 1, 0]}\n")
+        self.refuse(lambda: self.load_scene(bad), bad + ":2", "-2", "allowed: a positive finite number")
+        os.remove(bad)
+
+    def test_asked_for_in_a_hurry_the_last_word_counts(self):
+        segment = self.states.last().segment
+        for method in ("rk4", "buss2", "lie_euler", "dmv2", "cf4"):
+            self.assertTrue(self.set_method(BODY, method, 0).success)
+        self.assertTrue(self.set_spin(BODY, Vector3(0.1, 2, 0.1)).success)
+        status = self.status.next_where(lambda s: not s.busy and s.segment > segment)
+        self.assertEqual(status.bodies[0].method, "cf4")
+        state = self.states.next_where(lambda s: s.segment == status.segment, since=0)
+        self.assertLess(distance(vector(state.omega_body), (0.1, 2, 0.1)), 0.2)
+
+
+def marker_at(listener, stamp, ns):
+    def found():
+        return [m for a in listener.all() for m in a.markers if m.ns == ns and m.header.stamp == stamp]
+    return graph.wait_for(found, 15, "a marker " + ns)[0]
+
+
+def quaternion(q):
+    return (q.w, q.x, q.y, q.z)
+
+
+def multiplied(a, b):
+    return (a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+            a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+            a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+            a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0])
+
+
+def inverse(q):
+    return (q[0], -q[1], -q[2], -q[3])
+
+
+def rotated(q, v):
+    return multiplied(multiplied(q, (0,) + tuple(v)), inverse(q))[1:]
+
+
+def angle(a, b):
+    d = multiplied(inverse(a), b)
+    return 2 * math.atan2(math.sqrt(d[1] ** 2 + d[2] ** 2 + d[3] ** 2), abs(d[0]))
+
+
+def level(ellipsoid, point):
+    """1 on the surface, as drawn."""
+    p = rotated(inverse(quaternion(ellipsoid.pose.orientation)), point)
+    return math.sqrt(sum((2 * x / s) ** 2 for x, s in zip(p, vector(ellipsoid.scale))))
+
+
+if __name__ == "__main__":
+    rostest.rosrun("poinsot", "changes", ChangesTest)
