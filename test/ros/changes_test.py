@@ -91,7 +91,7 @@ class ChangesTest(unittest.TestCase):
         self.assertFalse(response.success)
         for piece in pieces:
             self.assertIn(piece, response.message)
-        self.assertEqual(self.status.next_where(lambda s: s.refused).refused, response.message)
+        self.status.next_where(lambda s: s.refused == response.message)
         time.sleep(0.3)
         self.assertEqual(self.states.last().segment, before.segment, "what was refused changed something")
         self.assertGreater(self.states.last().time, before.time, "it does not play on")
