@@ -6,10 +6,14 @@
 #include <cstdio>
 #include <variant>
 
+#include "poinsot/ros/cone_markers.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/family_markers.h"
 #include "poinsot/ros/palette.h"
+#include "poinsot/ros/rolling_markers.h"
 #include "poinsot/ros/shape_markers.h"
 #include "poinsot/view/ellipsoids.h"
+#include "poinsot/view/flips.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/reach.h"
 #include "poinsot/view/separatrix.h"
@@ -22,17 +26,18 @@ using visualization_msgs::MarkerArray;
 
 // Lengths in metres; a picture's ellipsoids reach 1 m.
 constexpr double kPolhodeWidth = 0.028;
-constexpr double kSeparatrixWidth = 0.012;
 constexpr double kTrailWidth = 0.045;
 constexpr double kBeadDiameter = 0.10;
 constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
 constexpr double kFiguresHeight = 0.19;
-constexpr double kFiguresDepth = 0.55;    // below the title
+constexpr double kFiguresDepth = 0.55;  // below the title
+constexpr double kFlipsHeight = 0.17;
+constexpr double kFlipsDepth = 0.3;  // below the title
+constexpr float kSphereOverlay = 0.05f;
 const ros::Duration kFiguresPause(0.25);  // a label that changed with every tick could not be read
 constexpr double kPointerLength = 0.4;    // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
-constexpr double kPolhodeLift = 1.010;
 constexpr double kSeparatrixLift = 1.004;
 constexpr double kTrailLift = 1.020;
 
@@ -59,13 +64,10 @@ constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leav
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
 constexpr double kBesideArrow = 0.17;  // m
-constexpr double kBesideBead = 0.22;
+constexpr double kBesideTorque = 0.25;
+constexpr double kBesideBead = 0.28;
 constexpr double kBeforeLines = 0.15;                  // towards the viewer
 const Eigen::Vector3d kBeforeSurfaces(0.32, 0, 0.14);  // towards a viewer who looks down a little
-
-std_msgs::ColorRGBA blend(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b, float t) {
-  return palette::colour(a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b));
-}
 
 /**
  * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on the right while the two are
@@ -88,6 +90,15 @@ std::string shown(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+std::string flipsInWords(const view::Flips& flips, bool only_one) {
+  const bool next = std::isfinite(flips.to_next);
+  const std::string when = next ? shown("in %.1f s", flips.to_next) : "";
+  if (only_one) return next ? "its only flip " + when : "no flip any more";
+  const std::string next_words = next ? "next flip " + when : "";
+  if (flips.since_start == 0) return next_words;
+  return shown("flip %.0f", static_cast<double>(flips.since_start)) + ", next " + when;
 }
 
 std::string methodOf(const MotionSetup& setup) {
@@ -181,6 +192,8 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       shape_position_(shapePositionOf(body)),
       method_(methodOf(motion.setup())),
       torqued_(motion.torques() != nullptr),
+      closed_form_(motion.closedForm() ? std::make_optional(*motion.closedForm()) : std::nullopt),
+      may_flip_(closed_form_ && view::flipsOf(*closed_form_, 0, 1).flips),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
       polhode_(view::polhode(inertia_.moments(), omega_principal_)),
@@ -224,6 +237,10 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
     appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
     appendCurves(picture, polhode_, separatrix, out);
   }
+  const double metres = scale_.metres_per_radian_per_second;
+  appendFamily(brush_, inertia_, omega_principal_, metres, out);
+  appendRolling(brush_, *closed_form_, metres, out);
+  appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
   }
@@ -240,9 +257,11 @@ void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy
     m.frame_locked = true;
     out.markers.push_back(m);
   };
+  // A sphere's two are one: of two opaque ones now the one would be seen, now the other.
+  const bool is_sphere = inertia_.moments().minCoeff() == inertia_.moments().maxCoeff();
   add(names::kEnergyEllipsoid, view::energySemiAxes(inertia_.moments(), kinetic_energy), palette::energy());
   add(names::kMomentumEllipsoid, view::momentumSemiAxes(inertia_.moments(), momentum_squared),
-      palette::momentumEllipsoid());
+      palette::translucent(palette::momentumEllipsoid(), is_sphere ? kSphereOverlay : 1));
 }
 
 void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polhode,
@@ -289,7 +308,7 @@ std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& moment
   Eigen::Vector3d symbol_from_tip = 0.12 * tip;
   if (!torque_world.isZero(0)) {
     const Eigen::Vector3d away = tip.stableNormalized() - torque_world.stableNormalized();
-    symbol_from_tip = kBesideArrow * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
+    symbol_from_tip = kBesideTorque * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
   }
   Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
   l.color = symbol.color = palette::angularMomentum();
@@ -303,8 +322,10 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   const std::string what = torqued_ ? shown("\nenergy %.4g J", figures.kinetic_energy)
                                     : shown("\nattitude error %.1e rad", figures.attitude_error) +
                                           shown("\nenergy drift %+.1e", figures.energy_drift);
-  const std::string words =
-      method_ + what + (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost));
+  const std::string words = method_ + what +
+                            (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
+                            (flips_.empty() ? "" : "\n" + flips_);
+  stage_.withdrawOne(brush_.ns(names::kLabel), kFlips, out);
   const double down = title_depth_ + kFiguresDepth;
   Marker label =
       brush_.text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
@@ -312,10 +333,23 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   out.markers.push_back(label);
 }
 
+void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, MarkerArray& out) {
+  if (!may_flip_ || !motion.inClosedForm()) return;  // another method's flips are not those of the closed form
+  if (tick.time_rate != 0) direction_ = tick.time_rate;
+  if (!due(flips_told_, tick.stamp, kFiguresPause)) return;
+  flips_told_ = tick.stamp;
+  flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), tick.time, direction_),
+                        polhode_.regime == view::Regime::separatrix);
+  if (figures_shown_) return;  // they tell it
+  const Eigen::Vector3d down(0, 0, -title_depth_ - kFlipsDepth);
+  stage_.put(brush_.text(kFlips, names::kWorld, start_.position + down, flips_, kFlipsHeight), out);
+}
+
 void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {
   if (atRest()) return;
   const std::size_t first = out.markers.size();
   if (!torqued_) {
+    appendFlips(tick, motion, out);
     appendOmega(state, out);
     appendTrail(kTrailLift * scale_.metres_per_radian_per_second * state.omega_body, out);
     if (!momentum_is_constant_) {
@@ -435,11 +469,11 @@ void BodyPicture::appendTrail(const Eigen::Vector3d& place, MarkerArray& out) {
   trail.colors.reserve(trail_.size());
   for (std::size_t i = 0; i < trail_.size(); ++i) {
     trail.points.push_back(toPoint(trail_[i]));
-    const float age = 1 - static_cast<float>(i + 1) / static_cast<float>(trail_.size());
-    trail.colors.push_back(blend(palette::omega(), palette::polhode(), age));
+    const float youth = static_cast<float>(i + 1) / static_cast<float>(trail_.size());
+    trail.colors.push_back(palette::translucent(palette::omega(), youth));
   }
   trail.scale.x = kTrailWidth;
-  trail.color = palette::omega();
+  trail.color = palette::translucent(palette::omega(), 0.99f);  // opaque, RViz would not blend the points' colours
   stage_.put(trail, out);
 }
 
@@ -486,6 +520,7 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
 
 void BodyPicture::clearTrail() {
   trail_.clear();
+  flips_told_.reset();
   if (effects_) effects_->clearWay();
   path_.clear();
   path_jumped_ = true;

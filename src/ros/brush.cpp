@@ -37,6 +37,10 @@ Marker Brush::arrow(const std::string& ns, int id, const std::string& frame, con
   return out;
 }
 
+void makeUnlit(Marker& triangles) {
+  triangles.colors.assign(triangles.points.size(), triangles.color);
+}
+
 void Stage::put(const Marker& marker, MarkerArray& out) {
   there_[{marker.ns, marker.id}] = marker.header.frame_id;
   out.markers.push_back(marker);

@@ -55,7 +55,7 @@ EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Siz
 }
 
 double EffectMarkers::depth() const {
-  if (!weight_) return 0;
+  if (!weight_) return torque_ ? sizes_.reach + kTorqueBeyond + 2 * kBeside : 0;
   return weight_->centre_of_mass.norm() + sizes_.shape_radius + kWeightBeyond + 2 * kBeside;
 }
 

@@ -29,9 +29,11 @@ struct Beat {
   }
 };
 
-/** When the only flip on the separatrix is [s], seen from a time before it, but no earlier than it takes. */
+}  // namespace
+
 double flipOnSeparatrix(const ClosedForm& motion) {
   if (motion.at(0).omega_body[SortedAxes(motion.moments()).index[1]] == 0) return 0;
+  // Seen from a time before it, but from no earlier than it takes.
   double before = 0, left = motion.timeToNextFlip(0);
   for (double step = 1 / motion.precessionRate(); !std::isfinite(left) && std::isfinite(step); step *= 2) {
     before = -step;
@@ -39,8 +41,6 @@ double flipOnSeparatrix(const ClosedForm& motion) {
   }
   return before + left;
 }
-
-}  // namespace
 
 double largestSwing(const ClosedForm& motion) {
   if (motion.regime() == ClosedForm::Regime::separatrix) return 1;

@@ -98,6 +98,7 @@ class BodyPicture {
   std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                             const Eigen::Vector3d& torque_world) const;
   void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
+  void appendFlips(const Tick& tick, const Motion& motion, visualization_msgs::MarkerArray& out);
   void appendTrail(const Eigen::Vector3d& place, visualization_msgs::MarkerArray& out);
   void appendMovingConstruction(const Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
                                 visualization_msgs::MarkerArray& out);
@@ -110,11 +111,15 @@ class BodyPicture {
   Assembly shape_;
   Eigen::Vector3d shape_position_;  ///< of its centre of mass, body axes [m]
   std::string method_;              ///< with its step
-  std::optional<ros::Time> figures_shown_;
+  std::optional<ros::Time> figures_shown_, flips_told_;
+  std::string flips_;     ///< in words, when they were told last
+  double direction_ = 1;  ///< of play, when it was not paused
   bool torqued_;
-  bool momentum_is_constant_;        ///< by the method's promise, so that L need not be sent again
-  Eigen::Vector3d omega_principal_;  ///< at t = 0 [rad/s]
-  view::Polhode polhode_;            ///< at t = 0
+  std::optional<ClosedForm> closed_form_;  ///< of a free body, whatever moves it
+  bool may_flip_;                          ///< a free body that turns over
+  bool momentum_is_constant_;              ///< by the method's promise, so that L need not be sent again
+  Eigen::Vector3d omega_principal_;        ///< at t = 0 [rad/s]
+  view::Polhode polhode_;                  ///< at t = 0
   view::Layout layout_;
   view::PictureScale scale_;
   view::Reach reach_;   ///< of a body under torques

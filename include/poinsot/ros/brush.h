@@ -17,6 +17,8 @@ constexpr double kHead = 0.115;
 constexpr double kHeadLength = 0.17;
 constexpr double kTitleHeight = 0.21;
 constexpr double kSymbolHeight = 0.23;
+constexpr double kSeparatrixWidth = 0.012;
+constexpr double kPolhodeLift = 1.010;  // off the surface that it runs on, so as not to sink into it
 
 /** Ids within <body>/label. */
 enum LabelId {
@@ -31,7 +33,9 @@ enum LabelId {
   kTorqueSymbol,
   kTorqueAtMomentumSymbol,
   kWeightSymbol,
-  kOrbitSymbol
+  kOrbitSymbol,
+  kFlips,
+  kTurnsAboutMomentum
 };
 
 /** Makes markers of one body, in its namespaces and its frames; stamps 0. */
@@ -53,6 +57,9 @@ class Brush {
   std::string body_;
   names::Frames frames_;
 };
+
+/** The same brightness from all sides: RViz lights no triangles that have colours of their own. */
+void makeUnlit(visualization_msgs::Marker& triangles);
 
 /** What a viewer has of markers that may have to go again: only what was put there is ever taken away. */
 class Stage {

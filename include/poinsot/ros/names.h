@@ -65,6 +65,12 @@ inline constexpr const char* kPolhode = "polhode";
 inline constexpr const char* kSeparatrix = "separatrix";
 inline constexpr const char* kOmega = "omega";
 inline constexpr const char* kAngularMomentum = "angular_momentum";
+inline constexpr const char* kHerpolhode = "herpolhode";
+inline constexpr const char* kInvariablePlane = "invariable_plane";
+inline constexpr const char* kMontgomery = "montgomery";
+inline constexpr const char* kBodyCone = "body_cone";
+inline constexpr const char* kSpaceCone = "space_cone";
+inline constexpr const char* kPolhodeFamily = "polhode_family";
 
 inline std::string markers(const std::string& body, const char* what) {
   return body + "/" + what;

@@ -2,7 +2,11 @@
 
 #include <std_msgs/ColorRGBA.h>
 
-/** What each colour means, the same in every picture; told apart by the colour-blind too (after Okabe and Ito). */
+/**
+ * What each colour means, the same in every picture; told apart by the colour-blind too (after Okabe and Ito), and on
+ * dark and light backgrounds: by WCAG's measure text has a contrast of 3:1 to either, arrows and lines that leave the
+ * ellipsoids 2:1. So they are of middling brightness. White and pale lines stay on the ellipsoids.
+ */
 namespace poinsot::node::palette {
 
 inline std_msgs::ColorRGBA colour(float r, float g, float b) {
@@ -11,6 +15,11 @@ inline std_msgs::ColorRGBA colour(float r, float g, float b) {
   c.g = g;
   c.b = b;
   c.a = 1;
+  return c;
+}
+
+inline std_msgs::ColorRGBA translucent(std_msgs::ColorRGBA c, float alpha) {
+  c.a = alpha;
   return c;
 }
 
@@ -33,23 +42,35 @@ inline std_msgs::ColorRGBA omega() {
   return colour(0.93f, 0.13f, 0.47f);
 }
 inline std_msgs::ColorRGBA angularMomentum() {
-  return colour(0.20f, 0.78f, 0.55f);
+  return colour(0.06f, 0.56f, 0.38f);
+}
+inline std_msgs::ColorRGBA polhodeFamily() {
+  return colour(0.62f, 0.80f, 0.97f);
+}
+inline std_msgs::ColorRGBA invariablePlane() {
+  return translucent(colour(0.56f, 0.62f, 0.68f), 0.35f);
+}
+inline std_msgs::ColorRGBA bodyCone() {
+  return translucent(colour(0.80f, 0.36f, 0.22f), 0.30f);
+}
+inline std_msgs::ColorRGBA spaceCone() {
+  return translucent(angularMomentum(), 0.30f);
 }
 /** Where Ω came from, under torques. */
 inline std_msgs::ColorRGBA path() {
-  return colour(1, 0.70f, 0.84f);
+  return colour(0.90f, 0.50f, 0.68f);
 }
 inline std_msgs::ColorRGBA torque() {
-  return colour(0.96f, 0.90f, 0.25f);
+  return colour(0.62f, 0.49f, 0.02f);
 }
 inline std_msgs::ColorRGBA gravity() {
-  return colour(0.40f, 0.76f, 0.96f);
+  return colour(0.16f, 0.51f, 0.74f);
 }
 inline std_msgs::ColorRGBA pivot() {
-  return colour(0.86f, 0.87f, 0.90f);
+  return colour(0.60f, 0.61f, 0.64f);
 }
 inline std_msgs::ColorRGBA label() {
-  return colour(0.93f, 0.94f, 0.96f);
+  return colour(0.47f, 0.50f, 0.54f);
 }
 
 /** Parts of a body in turn, so that one can see it turn. */

@@ -28,6 +28,9 @@ struct Flips {
  */
 Flips flipsOf(const ClosedForm& motion, double t, double direction);
 
+/** When a body on the separatrix, and no other, turns over, once [s]; of either sign. */
+double flipOnSeparatrix(const ClosedForm& motion);
+
 /** The largest |Λ₂|/|Λ| along the polhode, 0 … 1: 1 on the separatrix; 0 for equal moments and steady spins. */
 double largestSwing(const ClosedForm& motion);
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include "poinsot/core/closed_form.h"
+#include "poinsot/ros/brush.h"
+
+namespace poinsot::node {
+
+/**
+ * What a free body's energy ellipsoid rolls on, in the picture in world axes, and never changes: the invariable plane,
+ * the herpolhode on it, and by how much the body turns about L in one period of the polhode (Montgomery's angle).
+ *
+ * @param metres per rad/s. Lines are lifted off the plane by the same factor as a polhode off its ellipsoids, so that
+ * the two lines touch where the surfaces do.
+ */
+void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, visualization_msgs::MarkerArray& out);
+
+}  // namespace poinsot::node
