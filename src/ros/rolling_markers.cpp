@@ -25,7 +25,7 @@ constexpr double kArcWidth = 0.018;
 constexpr double kArcBeyond = 0.09;   // outside the herpolhode
 constexpr double kArcSpacing = 0.05;  // rad
 constexpr double kLeastHerpolhode = 0.02;
-constexpr double kTurnHeight = 0.15;
+constexpr double kTurnHeight = 0.13;
 constexpr double kBeforePlane = 0.3;
 constexpr int kDiscPieces = 40;
 constexpr double kDegree = 0.01745329251994329577;
@@ -68,7 +68,7 @@ Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double met
 /** Where the angle is told: beside the plane, on the side of the body, before the surfaces for a viewer at +x. */
 Eigen::Vector3d besidePlane(const Eigen::Vector3d& foot) {
   const bool to_the_side = std::abs(foot.y()) > 0.5 * foot.norm();
-  return foot + (to_the_side ? Eigen::Vector3d(kBeforePlane, 0, 0.5) : Eigen::Vector3d(kBeforePlane, -0.95, 0.25));
+  return foot + (to_the_side ? Eigen::Vector3d(kBeforePlane, 0, 0.5) : Eigen::Vector3d(kBeforePlane, -1.02, 0.36));
 }
 
 }  // namespace
