@@ -28,6 +28,9 @@ constexpr double kLeastHerpolhode = 0.02;
 constexpr double kTurnHeight = 0.13;
 constexpr double kBeforePlane = 0.3;
 constexpr int kDiscPieces = 40;
+// Ids within <body>/space/montgomery.
+enum MontgomeryId { kSector, kWords };
+
 constexpr double kDegree = 0.01745329251994329577;
 constexpr double kTurn = 360 * kDegree;
 
@@ -95,10 +98,10 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   if (!std::isfinite(angle)) return;
   const std::string ns = brush.ns(names::kSpace, names::kMontgomery);
   const Eigen::Vector3d foot = metres * plane.distance * plane.normal;
-  Marker words =
-      brush.text(kTurnsAboutMomentum, brush.frames().space, besidePlane(foot), turnsAboutMomentum(angle), kTurnHeight);
+  Marker words = brush.text({}, brush.frames().space, besidePlane(foot), turnsAboutMomentum(angle), kTurnHeight);
   words.color = palette::angularMomentum();
   words.ns = ns;
+  words.id = kWords;
   words.frame_locked = true;
   out.markers.push_back(words);
   if (outer < kLeastHerpolhode) return;
@@ -107,7 +110,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   const ClosedForm::State state = motion.at(herpolhode.start);
   const Eigen::Vector3d spoke = metres * (state.attitude * state.omega_body) - foot;
   const Eigen::Vector3d rim = (1 + kArcBeyond / outer) * (spoke - spoke.dot(plane.normal) * plane.normal);
-  Marker sector = brush.marker(ns, 0, Marker::LINE_STRIP, brush.frames().space);
+  Marker sector = brush.marker(ns, kSector, Marker::LINE_STRIP, brush.frames().space);
   const auto add = [&](const Eigen::Vector3d& p) { sector.points.push_back(toPoint(kPolhodeLift * p)); };
   const int pieces = std::max(1, static_cast<int>(std::ceil(rest / kArcSpacing)));
   add(foot);

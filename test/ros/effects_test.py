@@ -24,6 +24,7 @@ WITH_TORQUE = {"top", "stand_in", "satellite", "damped", "pushed"}  # a slug ins
 WITH_GRAVITY = {"top", "stand_in", "satellite"}
 PIVOT = {"top": (0, 0.1, 0.6), "stand_in": (0, 0, 0.6)}  # and the centre of mass from it
 WEIGHT = {"top": (0, 0, -1), "stand_in": (0, 0, -1)}
+UNDERSTAND = ("space/invariable_plane", "space/herpolhode", "space/montgomery", "model/polhode_family")  # of free bodies
 SURFACES = ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix")
 UNTIL = 7.0  # s
 
@@ -110,7 +111,7 @@ class EffectsTest(unittest.TestCase):
             of_body = {ns for ns in still if ns.startswith(body + "/")}
             wanted = {body + "/shape", body + "/label"}
             if body in FREE:
-                wanted |= surfaces | {body + "/space/angular_momentum"}
+                wanted |= surfaces | {body + "/space/angular_momentum"} | {"%s/%s" % (body, s) for s in UNDERSTAND}
             if body in PIVOT:
                 wanted |= {body + "/gravity"}
             self.assertEqual(of_body, wanted)

@@ -34,8 +34,7 @@ enum LabelId {
   kTorqueAtMomentumSymbol,
   kWeightSymbol,
   kOrbitSymbol,
-  kFlips,
-  kTurnsAboutMomentum
+  kFlips
 };
 
 /** Makes markers of one body, in its namespaces and its frames; stamps 0. */

@@ -39,6 +39,6 @@ struct Herpolhode {
  * @param tolerance relative to |L|/μmin, the longest semi-axis of the momentum ellipsoid.
  */
 Herpolhode herpolhode(const ClosedForm& motion, int most_points = 1024, int most_half_periods = 6,
-                      double tolerance = 5e-4);
+                      double tolerance = 1e-3);
 
 }  // namespace poinsot::view

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "poinsot/ros/palette.h"
+
+namespace poinsot::node {
+namespace {
+
+using std_msgs::ColorRGBA;
+
+/** Relative luminance, WCAG 2.1. */
+double luminance(const ColorRGBA& c) {
+  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+double contrast(const ColorRGBA& a, const ColorRGBA& b) {
+  const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+  return std::max(x, y) / std::min(x, y);
+}
+ColorRGBA bytes(int r, int g, int b) {
+  return palette::colour(r / 255.f, g / 255.f, b / 255.f);
+}
+
+// The views' backgrounds.
+const ColorRGBA kDark = bytes(24, 28, 36), kLight = bytes(236, 239, 244);
+
+TEST(Palette, contrastIsWhatWcagSays) {
+  EXPECT_NEAR(contrast(bytes(0, 0, 0), bytes(255, 255, 255)), 21, 1e-3);
+  EXPECT_NEAR(contrast(bytes(255, 255, 255), bytes(119, 119, 119)), 4.48, 0.01);
+}
+
+TEST(Palette, textReadsOnDarkAndOnLight) {
+  for (const ColorRGBA& c :
+       {palette::label(), palette::omega(), palette::angularMomentum(), palette::torque(), palette::gravity()}) {
+    EXPECT_GE(contrast(c, kDark), 3) << c;
+    EXPECT_GE(contrast(c, kLight), 3) << c;
+  }
+  // White would not.
+  EXPECT_LT(contrast(palette::polhode(), kLight), 2);
+}
+
+TEST(Palette, arrowsAndLinesThatLeaveTheEllipsoidsDoSoToo) {
+  for (const ColorRGBA& c : {palette::omega(), palette::angularMomentum(), palette::torque(), palette::gravity(),
+                             palette::path(), palette::pivot(), palette::bodyCone(), palette::spaceCone()}) {
+    EXPECT_GE(contrast(c, kDark), 2) << c;
+    EXPECT_GE(contrast(c, kLight), 2) << c;
+  }
+}
+
+TEST(Palette, linesReadOnBothEllipsoids) {
+  for (const ColorRGBA& surface : {palette::energy(), palette::momentumEllipsoid()}) {
+    EXPECT_GE(contrast(palette::polhode(), surface), 2);
+    EXPECT_GE(contrast(palette::separatrix(), surface), 2);
+  }
+  EXPECT_GE(contrast(palette::polhodeFamily(), palette::momentumEllipsoid()), 2);
+}
+
+/** As somebody sees it who lacks one kind of cone: Viénot, Brettel & Mollon 1999; linear RGB. */
+Eigen::Vector3d without(const ColorRGBA& c, bool red) {
+  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  const Eigen::Vector3d rgb(linear(c.r), linear(c.g), linear(c.b));
+  const double a = red ? 0.11238 : 0.29275, b = red ? 0.88762 : 0.70725, d = red ? 0.00401 : -0.02234;
+  const double yellow = a * rgb[0] + b * rgb[1];
+  return {yellow, yellow, d * rgb[0] - d * rgb[1] + rgb[2]};
+}
+
+TEST(Palette, theColourBlindTellTheQuantitiesApart) {
+  const std::pair<const char*, ColorRGBA> quantities[] = {{"energy", palette::energy()},
+                                                          {"momentum ellipsoid", palette::momentumEllipsoid()},
+                                                          {"omega", palette::omega()},
+                                                          {"L", palette::angularMomentum()}};
+  for (const bool red : {false, true}) {
+    for (const auto& a : quantities) {
+      for (const auto& b : quantities) {
+        if (a.first == b.first) continue;
+        EXPECT_GT((without(a.second, red) - without(b.second, red)).norm(), 0.05) << a.first << " and " << b.first;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::node
