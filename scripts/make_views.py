@@ -167,6 +167,17 @@ def fitted(spheres, pitch):
     return far, (-s * up, right, c * up)
 
 
+def wide(spheres, pitch, focal):
+    """How near a camera with that focal point may come on a screen of 16 : 9."""
+    c, s = math.cos(pitch), math.sin(pitch)
+    nearest = 1.0
+    for p, r in spheres:
+        x, y, z = (a - b for a, b in zip(p, focal))
+        for beside, tangent in ((abs(y), HALF_VIEW * 16 / 9 * MARGIN), (abs(z * c - x * s), HALF_VIEW * MARGIN)):
+            nearest = max(nearest, x * c + z * s + (beside + r * math.sqrt(1 + tangent * tangent)) / tangent)
+    return nearest
+
+
 def orbit(name, distance, focal, pitch, yaw, near=.01):
     return """Class: rviz/Orbit
 Name: %s
@@ -240,6 +251,7 @@ def view(recording, setting, ride):
             saved.append(along_momentum(recording, body))
     lowest = min(p[2] - r for p, r in recording.spheres)
     fields = {
+        "wide": "%.2f" % wide(recording.spheres, setting["pitch"], focal),
         "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
         "floor_cells": "%d" % (24 if distance < 8 else 30 if distance < 15 else 40),
         "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
