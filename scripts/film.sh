@@ -114,7 +114,7 @@ python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "
   failed "no film could be taken"
 case "$picture" in
   webp) ffmpeg -loglevel error -y -i "$work/film.mp4" -vf "fps=20,scale=$picture_width:-2:flags=lanczos" -c:v libwebp_anim \
-    -quality 75 -compression_level 6 -loop 0 -an "$work/film.webp" 2>> "$log" || failed "no moving picture could be made" ;;
+    -quality 75 -compression_level 4 -loop 0 -an "$work/film.webp" 2>> "$log" || failed "no moving picture could be made" ;;
   gif) ffmpeg -loglevel error -y -i "$work/film.mp4" -filter_complex \
     "fps=20,scale=$picture_width:-2:flags=lanczos,split[a][b];[a]palettegen=max_colors=160[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle" \
     "$work/film.gif" 2>> "$log" || failed "no moving picture could be made" ;;
