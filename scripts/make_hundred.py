@@ -1,16 +1,11 @@
 #!/usr/bin/env python3
-"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin; and
-rviz/crowd.rviz, which is rviz/demo.rviz from further away and without the pictures beside the bodies."""
+"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin."""
 import math
 import os
 
 ROWS, COLUMNS = 10, 10
 WIDTH, HEIGHT = 2.8, 1.6  # of a cell [m]
 RATE = 3.0  # |Omega| [rad/s]
-
-HIDDEN = ["label", "trail", "space/angular_momentum"] + [
-    "%s/%s" % (picture, what) for picture in ("space", "model")
-    for what in ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix", "omega")]
 
 HEAD = """\
 # A hundred bodies. Every row has another box, from a stick (top) to a plate (bottom). From left to right they are spun
@@ -39,29 +34,8 @@ def line(row, column):
         row, column, box, omega, place)
 
 
-def hidden():
-    """RViz's list of marker namespaces that are switched off, one line a body."""
-    lines = [", ".join("r%dc%d/%s: false" % (row, column, what) for what in HIDDEN)
-             for row in range(ROWS) for column in range(COLUMNS)]
-    return "Namespaces: {\n        " + ",\n        ".join(lines) + "}"
-
-
-def replaced(text, old, new):
-    if old not in text:
-        raise RuntimeError("rviz/demo.rviz has no " + old)
-    return text.replace(old, new)
-
-
 def main():
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-    with open(os.path.join(root, "rviz", "demo.rviz")) as demo:
-        view = replaced(demo.read(), "Namespaces: {}", hidden())
-    for old, new in (("Distance: 5.7", "Distance: 21"), ("{X: 0, Y: 2.68, Z: 0.0}", "{X: 0, Y: 0, Z: 0.1}"),
-                     ("Pitch: 0.40", "Pitch: 0.1"), ("{X: 0, Y: 2.6, Z: -1.62}", "{X: 0, Y: 0, Z: -9}"),
-                     ("Plane Cell Count: 24", "Plane Cell Count: 40")):
-        view = replaced(view, old, new)
-    with open(os.path.join(root, "rviz", "crowd.rviz"), "w") as out:
-        out.write(view)
     with open(os.path.join(root, "scenes", "hundred.yaml"), "w") as out:
         out.write(HEAD)
         for row in range(ROWS):

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # Takes one picture of each scene of scenes/ on a virtual screen, by demo.launch, into doc/scenes/NAME.png.
 #
-# Usage: scripts/scene_pictures.sh [--out DIR] [SCENE ...]
+# Usage: scripts/scene_pictures.sh [--out DIR] [--view NAME] [SCENE ...]
 #   --out DIR   where the pictures go (default: doc/scenes)
+#   --view NAME a saved view of the scenes' .rviz files (default: Overview; others: Riding, Along L)
 #   SCENE       names of scenes in scenes/ (default: all)
 #
 # Exit: 0 all taken, 1 something failed, 2 bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-out=$root/doc/scenes scenes=()
+out=$root/doc/scenes view=Overview scenes=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --out) [ $# -ge 2 ] || bad_use "scene_pictures.sh: $1 needs a value"; out=$2; shift 2 ;;
+    --view) [ $# -ge 2 ] || bad_use "scene_pictures.sh: $1 needs a value"; view=$2; shift 2 ;;
     -h | --help) usage; exit 0 ;;
     -*) bad_use "scene_pictures.sh: unknown option '$1'; see scene_pictures.sh --help" ;;
     *) [ -f "$root/scenes/$1.yaml" ] || bad_use "scene_pictures.sh: there is no scene $1"; scenes+=("$1"); shift ;;
@@ -31,6 +33,7 @@ at() {
     separatrix) echo 21.7 ;;
     symmetric_* | sphere | regimes | hundred) echo 5 ;;
     t_handle) echo 14.2 ;;
+    phone) echo 2 ;;
     tennis_racket) echo 4.3 ;;
     thruster_despin) echo 14 ;;
     damped_tumble) echo 8 ;;
@@ -46,6 +49,7 @@ enter_devel
 stay_on_loopback "$(free_port)"
 
 launch_pid= display_pid= log=$build/scene_pictures.log raw=$(mktemp --suffix=.png)
+config=$(mktemp --suffix=.rviz)
 end_launch() {
   [ -n "$launch_pid" ] || return 0
   kill -INT "$launch_pid" 2> /dev/null || true
@@ -55,7 +59,7 @@ end_launch() {
 finish() {
   end_launch
   [ -z "$display_pid" ] || kill "$display_pid" 2> /dev/null || true
-  rm -f "$raw"
+  rm -f "$raw" "$config"
 }
 trap finish EXIT
 trap 'exit 130' INT
@@ -64,7 +68,9 @@ start_display 1600x900
 
 for scene in "${scenes[@]}"; do
   say "$scene at t = $(at "$scene") s"
-  roslaunch poinsot demo.launch scene:="$scene" rviz_args:=--fullscreen > "$log" 2>&1 &
+  said=$(/usr/bin/python3 "$root/scripts/choose_view.py" "$root/rviz/$scene.rviz" "$config" "$view" 1600x900 2>&1) ||
+    bad_use "scene_pictures.sh: $scene: $said"
+  roslaunch poinsot demo.launch scene:="$scene" rviz_config:="$config" rviz_args:=--fullscreen > "$log" 2>&1 &
   launch_pid=$!
   up=no
   for _ in $(seq 120); do

@@ -188,6 +188,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       name_(body.name),
       start_(Motion(motion).at(0)),
       inertia_(body.inertia),
+      appearance_(body.appearance),
       shape_(shapeOf(body)),
       shape_position_(shapePositionOf(body)),
       method_(methodOf(motion.setup())),
@@ -223,7 +224,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
-  for (Marker& part : shapeMarkers(shape_, shape_position_)) {
+  for (Marker& part : shapeMarkers(appearance_, shape_, shape_position_)) {
     part.header.frame_id = brush_.frames().body;
     part.ns = brush_.ns(names::kShape);
     part.frame_locked = true;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/ros/number_text.h"
@@ -166,6 +167,7 @@ bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& respons
     const std::string file = sceneFile(request.scene.empty() && !scene_file_.empty() ? scene_file_ : request.scene);
     Change change;
     change.scene = scene::readFile(file);
+    requireMeshes(change.scene);
     checkPrefix(frame_prefix_, change.scene);
     for (const std::string& warning : change.scene.warnings) ROS_WARN("%s", warning.c_str());
     change.start_scene = change.scene;

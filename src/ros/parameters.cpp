@@ -7,6 +7,7 @@
 
 #include "poinsot/cost/settle.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/reader.h"
 
@@ -82,6 +83,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
     out.scene = scene::readFile(out.scene_file);
   });
 
+  requireMeshes(out.scene);
   if (out.scene.rate) out.rate = *out.scene.rate;
   ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
   if (out.rate < kSlowestRate || out.rate > kFastestRate) {

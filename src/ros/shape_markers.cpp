@@ -46,9 +46,29 @@ std::vector<Solid> toldApart(const Solid& solid) {
   return {first, second};
 }
 
+bool bringsColours(const std::string& mesh) {
+  const std::string tail = ".dae";
+  return mesh.size() > tail.size() && mesh.compare(mesh.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+visualization_msgs::Marker markerOf(const scene::Appearance& appearance) {
+  visualization_msgs::Marker marker;
+  marker.type = visualization_msgs::Marker::MESH_RESOURCE;
+  marker.mesh_resource = appearance.mesh;
+  marker.pose.position = toPoint(appearance.position);
+  marker.pose.orientation = toQuaternion(appearance.orientation);
+  marker.scale = toVector3(appearance.scale);
+  marker.mesh_use_embedded_materials = bringsColours(appearance.mesh);
+  // RViz tints a mesh that has colours of its own, by white too; a colour of all zeros leaves them alone.
+  if (!marker.mesh_use_embedded_materials) marker.color = palette::part(0);
+  return marker;
+}
+
 }  // namespace
 
-std::vector<visualization_msgs::Marker> shapeMarkers(const Assembly& shape, const Eigen::Vector3d& centre) {
+std::vector<visualization_msgs::Marker> shapeMarkers(const std::optional<scene::Appearance>& appearance,
+                                                     const Assembly& shape, const Eigen::Vector3d& centre) {
+  if (appearance) return {markerOf(*appearance)};
   const bool single = shape.parts().size() == 1;
   const std::vector<Solid> parts = single ? toldApart(shape.parts().front()) : shape.parts();
   std::vector<visualization_msgs::Marker> out;

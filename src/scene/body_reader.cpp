@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "appearance_reader.h"
 #include "effect_reader.h"
 #include "fields.h"
 #include "inertia_reader.h"
@@ -28,8 +29,8 @@ Place withName(const Place& place) {
 }
 
 void checkKeys(const Fields& fields) {
-  fields.allowOnly(
-      {"name", "inertia", "shape", "attitude", "angular_velocity", "method", "step", "accuracy", "horizon", "effects"});
+  fields.allowOnly({"name", "inertia", "shape", "appearance", "attitude", "angular_velocity", "method", "step",
+                    "accuracy", "horizon", "effects"});
 }
 
 void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::string>& warnings) {
@@ -112,6 +113,7 @@ Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std:
   Body body;
   body.name = readName(fields.require("name", "a letter, then letters, digits and underscores"));
   readInertiaOrShape(fields, body, warnings);
+  if (const auto appearance = fields.find("appearance")) body.appearance = readAppearance(*appearance);
   if (const auto effects = fields.find("effects")) readEffects(*effects, body);
   movePivot(fields, body);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);

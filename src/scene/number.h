@@ -34,6 +34,7 @@ constexpr Quantity kTorque{Quantity::Range::any, "N·m"};
 constexpr Quantity kDamping{Quantity::Range::not_negative, "N·m·s"};
 constexpr Quantity kOrbitRate{Quantity::Range::positive, "rad/s"};
 constexpr Quantity kDirection{Quantity::Range::any, ""};
+constexpr Quantity kScale{Quantity::Range::positive, ""};
 constexpr Quantity kDuration{Quantity::Range::positive, "s"};
 constexpr Quantity kQuaternionEntry{Quantity::Range::any, ""};
 }  // namespace quantity

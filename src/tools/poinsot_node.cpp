@@ -11,6 +11,7 @@
 
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/settle.h"
+#include "poinsot/ros/meshes.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/scene/reader.h"
 
@@ -22,6 +23,7 @@ constexpr int kBadUse = 2;
 int check(const std::string& file) {
   try {
     poinsot::scene::Scene scene = poinsot::scene::readFile(file);
+    poinsot::node::requireMeshes(scene);
     for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
     const double rate = scene.rate.value_or(poinsot::scene::kDefaultRate);
     for (const std::string& choice : poinsot::cost::settleMethods(scene, rate)) std::cout << choice << "\n";

@@ -101,7 +101,7 @@ TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
   expectRefused("body: 1\n" + named({"a"}), 1, "body", {"unknown key", "allowed: rate, bodies"});
   expectRefused(named({"a"}) + "Rate: 60\n", 5, "Rate", {"did you mean \"rate\"?", "allowed: rate, bodies"});
   const std::string allowed =
-      "allowed: name, inertia, shape, attitude, angular_velocity, method, step, accuracy, horizon, effects";
+      "allowed: name, inertia, shape, appearance, attitude, angular_velocity, method, step, accuracy, horizon, effects";
   expectKeyRefused("colour: red", ".colour", {"unknown key;", allowed});
   expectKeyRefused("atitude: [1, 0, 0, 0]", ".atitude", {"did you mean \"attitude\"?", allowed});
   expectKeyRefused("angular_velocty: [1, 0, 0]", ".angular_velocty", {"did you mean \"angular_velocity\"?", allowed});

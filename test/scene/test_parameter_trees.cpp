@@ -59,6 +59,11 @@ void expectSame(const Scene& a, const Scene& b) {
     EXPECT_EQ(x.inertia.moments(), y.inertia.moments());
     EXPECT_EQ(x.inertia.axes().coeffs(), y.inertia.axes().coeffs());
     EXPECT_EQ(x.shape.has_value(), y.shape.has_value());
+    ASSERT_EQ(x.appearance.has_value(), y.appearance.has_value());
+    if (x.appearance) {
+      EXPECT_EQ(x.appearance->mesh, y.appearance->mesh);
+      EXPECT_EQ(x.appearance->scale, y.appearance->scale);
+    }
     EXPECT_EQ(x.attitude.coeffs(), y.attitude.coeffs());
     EXPECT_EQ(x.omega_body, y.omega_body);
     EXPECT_EQ(x.method, y.method);
@@ -106,6 +111,7 @@ TEST(ParameterTree, GivesTheSceneThatTheFileGives) {
       "    effects: [{type: translation, position: [1, -1e-400, 4.9e-324], velocity: [0, 0, 3E0]}]\n"
       "  - name: c\n"
       "    shape: {type: cylinder, radius: 1, height: 1e0, mass: 2}\n"
+      "    appearance: {mesh: package://poinsot/meshes/book.dae, scale: 1e-3}\n"
       "    angular_velocity: [1, 2, 3]\n");
   expectSameThroughPyYaml(file.path());
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every scene of scenes/ is valid, runs, has its comment, its view, its place in doc/scenes.md, and does what that says.
+"""Every scene of scenes/ is valid, runs, has its comment, its view, its place in doc/gallery.md, and does what that says.
 
 What a scene promises is measured on the CSV that simulate writes, with moments computed here. Every check is then shown
 scenes that break it.
@@ -22,7 +22,7 @@ PROGRAMS = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "de
 SCENES = os.path.join(ROOT, "scenes")
 EXPECTED = """dzhanibekov regimes separatrix t_handle wingnut tennis_racket symmetric_prolate symmetric_oblate sphere toutatis
 nasa_brick tossed_book heavy_top_sleeping heavy_top_loops heavy_top_cusps heavy_top_waves explorer1 gravity_gradient
-damped_tumble thruster_despin hundred""".split()
+damped_tumble thruster_despin hundred phone""".split()
 
 passed = failed = 0
 
@@ -63,7 +63,7 @@ def comment_complaints(text):
 
 
 def document_complaints(name, document, folder):
-    """In doc/scenes.md: a heading, the picture (there, a PNG), the command."""
+    """In doc/gallery.md: a heading, the picture (there, a PNG), the command."""
     out = []
     section = re.search(r"^## %s\n(.*?)(?=^## |\Z)" % re.escape(name), document, re.M | re.S)
     if not section:
@@ -110,6 +110,86 @@ def view_complaints(name, launch=os.path.join(ROOT, "launch", "demo.launch")):
     if code != 0 or len(views) != 1:
         return ["roslaunch --args: exit %d, %s" % (code, said.strip()[-300:])]
     return [] if os.path.isfile(views[0]) else ["%s is not there" % views[0]]
+
+
+# --- what doc/poinsot_construction.md says ------------------------------------------------------------------------------
+
+
+def propagated(moments, omega, times):
+    head = "id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\n"
+    rows = "".join("a,%r,%r,%r,1,0,0,0,%r,%r,%r,%r\n" % tuple(float(x) for x in (*moments, *omega, t)) for t in times)
+    done = subprocess.run([os.path.join(PROGRAMS, "propagate")], input=head + rows, stdout=subprocess.PIPE, text=True)
+    table = np.array([[float(x) for x in row.split(",")[1:]] for row in done.stdout.splitlines()[1:]])
+    return table[:, 1:5], table[:, 5:8]
+
+
+def construction(moments, omega, small=0, large=2):
+    """T_flip and the angle about L in 2 T_flip, by the formulas of the document."""
+    mu, energy = np.array(moments, float), .5 * np.dot(moments, np.square(omega))
+    l2 = float(np.sum(np.square(mu * omega)))
+    n2 = (mu[large] - mu[1]) * (l2 - 2 * energy * mu[small]) / mu.prod()
+    k2 = (mu[1] - mu[small]) * (2 * energy * mu[large] - l2) / ((mu[large] - mu[1]) * (l2 - 2 * energy * mu[small]))
+    a, b = 1.0, (1 - k2) ** .5
+    while abs(a - b) > 1e-15:
+        a, b = .5 * (a + b), (a * b) ** .5
+    flip = np.pi / a / n2 ** .5
+    _, rates = propagated(moments, omega, np.linspace(0, 2 * flip, 4001))
+    ways = mu * rates / np.linalg.norm(mu * rates, axis=1)[:, None]
+    pole = np.eye(3)[large] * np.sign(omega[large])
+    solid = sum(2 * np.arctan2(np.dot(pole, np.cross(p, q)), 1 + p @ q + p @ pole + q @ pole)
+                for p, q in zip(ways, ways[1:]))
+    return flip, 4 * energy * flip / l2 ** .5 - solid
+
+
+def construction_complaints(moments, omega, sides, late=0):
+    """Those formulas against the closed form. `late` shifts the time, for a check of this check [s]."""
+    flip, angle = construction(moments, omega, *sides)
+    flip += late
+    times = np.linspace(0, 4 * flip, 8001)
+    zeros = np.diff(crossings(times, propagated(moments, omega, times)[1][:, 1]))
+    out = ["flips after %s s, not %g" % (zeros, flip)] if not len(zeros) or max(abs(zeros - flip)) > 1e-5 else []
+    q = propagated(moments, omega, [2 * flip])[0][0]
+    way = np.array(moments) * omega / np.linalg.norm(np.array(moments) * omega)
+    turned = 2 * np.arctan2(np.dot(q[1:], way), q[0])
+    if abs((turned - angle + np.pi) % (2 * np.pi) - np.pi) > 1e-5:
+        out.append("turns by %g, not by %g" % (turned % (2 * np.pi), angle % (2 * np.pi)))
+    return out
+
+
+# --- what is made by scripts --------------------------------------------------------------------------------------------
+
+
+def regenerated_complaints(script, folder, ending):
+    """Run again, the script writes the files that are in the folder, byte for byte, and no others."""
+    out = []
+    with tempfile.TemporaryDirectory() as fresh:
+        code, said = run(os.path.join(ROOT, "scripts", script), fresh)
+        if code != 0:
+            return ["%s: exit %d, %s" % (script, code, said.strip()[-300:])]
+        names = sorted(os.path.basename(p) for p in glob.glob(os.path.join(folder, "*" + ending)))
+        if not names or names != sorted(os.listdir(fresh)):
+            out.append("%s writes %s; there are %s" % (script, sorted(os.listdir(fresh)), names))
+        for name in names:
+            with open(os.path.join(folder, name), "rb") as one:
+                committed = one.read()
+            path = os.path.join(fresh, name)
+            if os.path.isfile(path) and open(path, "rb").read() != committed:
+                out.append("%s writes another %s than the one in %s" % (script, name, folder))
+    return out
+
+
+def mesh_complaints(folder):
+    """Small enough, and as large as they say: nothing reaches further than 1.2 m."""
+    out = []
+    for path in sorted(glob.glob(os.path.join(folder, "*.dae"))):
+        with open(path) as text:
+            numbers = re.search(r'id="p-a" count="\d+">([^<]*)<', text.read()).group(1).split()
+        reach = np.linalg.norm(np.array(numbers, float).reshape(-1, 3), axis=1).max()
+        if not .4 < reach < 1.2:
+            out.append("%s reaches %g m" % (path, reach))
+        if os.path.getsize(path) > 150000:
+            out.append("%s has %d bytes" % (path, os.path.getsize(path)))
+    return out
 
 
 # --- what scenes promise ----------------------------------------------------------------------------------------------
@@ -230,6 +310,13 @@ def separatrix(path):
     return [len(once), once[0], later.omega[-1, 1]] + others + [
         len(crossings(all_bodies["largest"].t, all_bodies["largest"].omega[:, 2])),
         len(crossings(all_bodies["smallest"].t, all_bodies["smallest"].omega[:, 0]))]
+
+
+def phone(path):
+    """The time of a turn at the start, those between flips, and the moments."""
+    m = simulated(path, 60, 200)["phone"]
+    between = np.diff(crossings(m.t, m.omega[:, 1]))[:2]
+    return [2 * np.pi / m.omega[0, 1]] + list(between) + sorted(np.linalg.eigvalsh(tensor(path)))
 
 
 def racket(path):
@@ -362,6 +449,7 @@ PROMISES = {
     "regimes": (regimes, [(0, 20), (180, 20), (0, 20)]),
     "separatrix": (separatrix, [(1, 0), (6.0, .05), (-3, 1e-3), (15.7, .05), (15.7, .05), (0, 0), (0, 0)]),
     "t_handle": (flips("t_handle", "t_handle", 2), [(9.4, .05)] * 2),
+    "phone": (phone, [(2.1, .05)] + [(3.76, .01)] * 2 + [(7.06e-5, 5e-8), (2.949e-4, 5e-8), (3.640e-4, 5e-8)]),
     "wingnut": (flips("wingnut", "wingnut", 2), [(8.4, .05)] * 2),
     "tennis_racket": (racket, [(4.3, .05), (170.92, .1), (.00121, 1e-9), (.01638, 1e-9), (.01748, 1e-9)]),
     "toutatis": (toutatis, [(5.3685, 5e-4), (7.4117, 5e-4)]),
@@ -429,15 +517,24 @@ def main():
     missing = sorted(set(EXPECTED) - set(names))
     check("the library is complete", ["no scene " + name for name in missing])
     check("what every scene does is promised", ["no promise of " + name for name in sorted(set(names) ^ set(PROMISES))])
-    with open(os.path.join(ROOT, "doc", "scenes.md")) as text:
+    with open(os.path.join(ROOT, "doc", "gallery.md")) as text:
         document = text.read()
     for path, name in zip(paths, names):
         with open(path) as text:
             complaints = comment_complaints(text.read())
         complaints += document_complaints(name, document, os.path.join(ROOT, "doc")) + run_complaints(path)
-        check("%s has a comment, a place in doc/scenes.md, and runs" % name, complaints + view_complaints(name))
+        check("%s has a comment, a place in doc/gallery.md, and runs" % name, complaints + view_complaints(name))
         if name in PROMISES:
             check("%s does what it promises" % name, promise_complaints(path, PROMISES[name]))
+
+    views, meshes = os.path.join(ROOT, "rviz"), os.path.join(ROOT, "meshes")
+    check("flips and Montgomery's angle as in doc/poinsot_construction.md",
+          construction_complaints([1, 2, 3], [.4, 1, .8], (0, 2)) +
+          construction_complaints([1, 2, 3], [1.4, 1, .2], (2, 0)) +
+          construction_complaints([1, 1.86, 2.49], [0, 3, .2], (0, 2)))
+    check("make_views.py writes the views that are there", regenerated_complaints("make_views.py", views, ".rviz"))
+    check("make_meshes.py writes the meshes that are there", regenerated_complaints("make_meshes.py", meshes, ".dae"))
+    check("meshes are small, and of the scenes' size", mesh_complaints(meshes))
 
     def noticed(complaints):
         return [] if complaints else ["went by unnoticed"]
@@ -455,8 +552,14 @@ def main():
             launch = text.read()
         path = os.path.join(folder, "demo.launch")
         with open(path, "w") as text:
-            text.write(launch.replace("'pair'", "'nosuch'"))
+            text.write(launch.replace("$(eval arg('scene') if", "$(eval 'nosuch' if"))
         check("one whose view is missing", noticed(view_complaints("sphere", path)))
+        for name in ("book.dae", "racket.dae"):
+            with open(os.path.join(meshes, name)) as text, open(os.path.join(folder, name), "w") as other:
+                other.write(text.read().replace("0.48", "1.48"))
+        check("meshes that are missing or other ones", noticed(regenerated_complaints("make_meshes.py", folder, ".dae")))
+        check("a time between flips that is not so", noticed(construction_complaints([1, 2, 3], [.4, 1, .8], (0, 2), 1e-3)))
+        check("a mesh of another size", noticed(mesh_complaints(folder)))
         for name in sorted(PROMISES):
             broken = changed(os.path.join(SCENES, name + ".yaml"), folder, *BREAKS.get(name, FASTER))
             try:

@@ -40,7 +40,41 @@ expect "compare.sh --help" 0 'Usage: scripts/compare.sh' "$compare" --help
 expect "compare.sh: mode that does not exist" 2 'equal_luck is not equal_cost or equal_step' "$compare" --mode equal_luck
 expect "compare.sh: sheet that is no PNG" 2 'does not end with .png' "$compare" --out sheet.jpg
 expect "compare.sh: unknown option" 2 "unknown option '--modes'" "$compare" --modes
+film=$root/scripts/film.sh
+expect "film.sh --help" 0 'Usage: scripts/film.sh' "$film" --help
+expect "film.sh: no scene" 2 'which scene\? There are: .*dzhanibekov' "$film"
+expect "film.sh: scene that does not exist" 2 'there is no scene nosuch; there are: .*dzhanibekov' "$film" nosuch
+expect "film.sh: two scenes" 2 'one scene at a time' "$film" phone sphere
+expect "film.sh: unknown option" 2 "unknown option '--second'" "$film" phone --second 3
+expect "film.sh: option without its value" 2 '--seconds needs a value' "$film" phone --seconds
+expect "film.sh: seconds that are none" 2 '--seconds -3 is not a positive number' "$film" phone --seconds -3
+expect "film.sh: speed zero" 2 '--speed 0 is not a positive number' "$film" phone --speed 0
+expect "film.sh: odd size" 2 '--size 641x480 is not WIDTHxHEIGHT in even numbers' "$film" phone --size 641x480
+expect "film.sh: picture of no kind" 2 '--picture png is not webp, gif or none' "$film" phone --picture png
+expect "film.sh: view that does not exist" 2 'no view Behind; there are: Overview, Riding, Along L' \
+  "$film" phone --view Behind --out "$work/films"
+expect "film.sh: directory that cannot be written" 2 'cannot write into /proc/films' "$film" phone --out /proc/films
+expect "make_views.py: directory that is none" 2 'there is no directory /nowhere' "$root/scripts/make_views.py" /nowhere
+expect "make_meshes.py: directory that is none" 2 'there is no directory /nowhere' "$root/scripts/make_meshes.py" /nowhere
+expect "film.sh films two seconds" 0 "$work/films/phone.gif: " \
+  "$film" phone --seconds 2 --fps 5 --size 640x360 --picture gif --picture-width 320 --out "$work/films"
+# film_is FILE WIDTH HEIGHT SECONDS FRAMES: what it should be, and nearly every frame unlike the one before.
+film_is() {
+  local width height seconds frames unlike
+  IFS=, read -r width height < <(ffprobe -v error -select_streams v:0 -show_entries stream=width,height -of csv=p=0 "$1")
+  seconds=$(ffprobe -v error -show_entries format=duration -of csv=p=0 "$1")
+  frames=$(ffmpeg -v error -i "$1" -f framemd5 - | grep -vc '^#')
+  unlike=$(ffmpeg -v error -i "$1" -f framemd5 - | grep -v '^#' | awk '{print $NF}' | sort -u | wc -l)
+  echo "$width x $height, $seconds s, $frames frames, $unlike of them unlike"
+  awk "BEGIN {exit !($width == $2 && $height == $3 && $seconds > $4 - 0.3 && $seconds < $4 + 0.3 &&
+                     $frames == $5 && $unlike >= 0.9 * $5)}"
+}
+expect "the film has its size, its length, and moves" 0 'frames' film_is "$work/films/phone.mp4" 640 360 2 10
+expect "nothing else is left" 0 '^phone.gif phone.mp4 $' sh -c "ls -A '$work/films' | tr '\\n' ' '"
+ffmpeg -v error -f lavfi -i color=gray:size=640x360:rate=5:duration=2 "$work/still.mp4"
+expect "a film that stands still would be noticed" 1 'frames' film_is "$work/still.mp4" 640 360 2 10
 printf 'bodies:\n  - name: b\n    inertia: [1, -2, 3]\n    angular_velocity: [0, 0, 1]\n' > "$work/bad.yaml"
+expect "film.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$film" "$work/bad.yaml" --out "$work/films"
 expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$demo" --headless --scene "$work/bad.yaml"
 printf 'bodies:\n  - name: b\n    inertia: [1, 2, 3]\n    angular_velocity: [0, 0.1, 1]\n    method: rk4\n    step: 5\n' > "$work/hopeless.yaml"
 expect "demo.sh: hopeless step" 2 'hopeless.yaml:6: .*rk4 with a step of 5 s .*allowed: a step of at most .* or closed_form' \

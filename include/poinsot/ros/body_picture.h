@@ -108,6 +108,7 @@ class BodyPicture {
   std::string name_;
   MotionState start_;
   PrincipalInertia inertia_;
+  std::optional<scene::Appearance> appearance_;  ///< what is drawn instead of the shape
   Assembly shape_;
   Eigen::Vector3d shape_position_;  ///< of its centre of mass, body axes [m]
   std::string method_;              ///< with its step

@@ -23,12 +23,22 @@ struct Accuracy {
   std::string place;                    ///< what a message about it begins with
 };
 
+/** A mesh that is drawn where a body would be as its solids; nothing is ever computed with it. */
+struct Appearance {
+  std::string mesh;                                    ///< package://… or file:///…, COLLADA or STL
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();     ///< the mesh's lengths → metres, along its own axes
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its origin from the body's, body axes [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< its axes → body axes, unit
+  std::string place;                                                ///< what a message about the mesh begins with
+};
+
 /** One body of a scene, validated. All vectors refer to the axes in which the inertia is given. */
 struct Body {
   std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   std::optional<Assembly> shape;                                 ///< where the scene gives one instead of the inertia
   Eigen::Vector3d shape_position = Eigen::Vector3d::Zero();      ///< its centre of mass, from a pivot, body axes [m]
+  std::optional<Appearance> appearance;                          ///< where it is not drawn as its shape
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Has a running, paused node go on frame by frame, and writes what the screen shows of each to stdout, as raw video.
+
+Usage: film.py WIDTH HEIGHT FRAMES SKIPPED FROM    (of the screen DISPLAY; film.sh calls it)
+
+Each frame is one ~step: films are even however slowly RViz draws. A frame is taken when the screen has changed and then
+kept still. SKIPPED steps come first, from FROM seconds on, so that the trail is there.
+"""
+import os
+import subprocess
+import sys
+import time
+
+import rospy
+from std_msgs.msg import Float64
+from std_srvs.srv import SetBool, Trigger
+
+GRABS = 16  # a second
+STILL = 2  # grabs in a row: RViz takes tf and markers up in different frames of its own
+PATIENCE = 1.0  # s: nothing may be going to change
+LONGEST = 5.0  # s: it may never keep still
+
+
+class Screen:
+    def __init__(self, width, height):
+        self.size = width * height * 4
+        self.grabber = subprocess.Popen(
+            ["ffmpeg", "-loglevel", "error", "-nostdin", "-f", "x11grab", "-draw_mouse", "0", "-framerate", str(GRABS),
+             "-video_size", "%dx%d" % (width, height), "-i", os.environ["DISPLAY"], "-f", "rawvideo", "-pix_fmt", "bgr0",
+             "pipe:1"], stdout=subprocess.PIPE)
+
+    def grab(self):
+        picture = self.grabber.stdout.read(self.size)
+        if len(picture) != self.size:
+            raise RuntimeError("the screen cannot be read any more")
+        return picture
+
+    def settled(self, before):
+        """The next picture that is unlike `before` and stays."""
+        begin, still, last = time.monotonic(), 0, None
+        while True:
+            picture = self.grab()
+            still = still + 1 if picture == last else 0
+            last = picture
+            waited = time.monotonic() - begin
+            if still >= STILL and (picture != before or waited > PATIENCE) or waited > LONGEST:
+                return picture
+
+    def close(self):
+        self.grabber.kill()
+        self.grabber.wait()
+
+
+def service(name, kind):
+    rospy.wait_for_service("/poinsot/" + name, 60)
+    return rospy.ServiceProxy("/poinsot/" + name, kind, persistent=True)
+
+
+def main():
+    width, height, frames, skipped = (int(x) for x in sys.argv[1:5])
+    rospy.init_node("film", anonymous=True, disable_signals=True)
+    service("pause", SetBool)(True)
+    step = service("step", Trigger)
+    seek = rospy.Publisher("/poinsot/seek", Float64, queue_size=1)
+    while not seek.get_num_connections():
+        time.sleep(.05)
+    seek.publish(float(sys.argv[5]))
+    time.sleep(1)
+    for _ in range(skipped):
+        if not step().success:
+            raise RuntimeError("the node refuses a step")
+        time.sleep(.03)  # a tick, so that the trail has every point
+    screen, begin = Screen(width, height), time.monotonic()
+    try:
+        picture = screen.settled(b"")
+        for i in range(frames):
+            sys.stdout.buffer.write(picture)
+            if i + 1 < frames:
+                if not step().success:
+                    raise RuntimeError("the node refuses a step")
+                picture = screen.settled(picture)
+            if i % 30 == 29:
+                print("%d of %d frames, %.0f s" % (i + 1, frames, time.monotonic() - begin), file=sys.stderr)
+        sys.stdout.buffer.flush()
+    finally:
+        screen.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# Films a scene in RViz, full screen, on a virtual display: SCENE.mp4 and a moving picture of it, SCENE.webp (or .gif).
+#
+# Usage: scripts/film.sh SCENE [--out DIR] [--seconds S] [--from T] [--speed R] [--view NAME] [--size WxH] [--fps N]
+#                        [--picture webp|gif|none] [--picture-width W]
+#   SCENE              a scene of scenes/, or the path of a scene file
+#   --out DIR          where the films go (default: build/films)
+#   --seconds S        how long the film is (default: 10)
+#   --from T           simulation time at which it begins [s] (default: 0)
+#   --speed R          simulated seconds in a second of film (default: 1)
+#   --view NAME        a saved view of the scene's .rviz file (default: Overview; others: Riding, Along L)
+#   --size WxH         of the mp4, even numbers (default: 1280x720)
+#   --fps N            frames a second (default: 25)
+#   --picture KIND     of the moving picture beside it (default: webp)
+#   --picture-width W  how wide that is (default: 800)
+#
+# Every frame is one step of the paused node, so a film is even however slow the machine is. One of 10 s takes a
+# minute or some, with software OpenGL.
+# Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene. A film that fails leaves nothing.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+scene= out=$root/build/films seconds=10 from=0 speed=1 view=Overview size=1280x720 fps=25 picture=webp picture_width=800
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --out | --seconds | --from | --speed | --view | --size | --fps | --picture | --picture-width)
+      [ $# -ge 2 ] || bad_use "film.sh: $1 needs a value"
+      case "$1" in
+        --out) out=$2 ;;
+        --seconds) seconds=$2 ;;
+        --from) from=$2 ;;
+        --speed) speed=$2 ;;
+        --view) view=$2 ;;
+        --size) size=$2 ;;
+        --fps) fps=$2 ;;
+        --picture) picture=$2 ;;
+        --picture-width) picture_width=$2 ;;
+      esac
+      shift 2 ;;
+    -h | --help) usage; exit 0 ;;
+    -*) bad_use "film.sh: unknown option '$1'; see film.sh --help" ;;
+    *) [ -z "$scene" ] || bad_use "film.sh: one scene at a time, not $scene and $1"; scene=$1; shift ;;
+  esac
+done
+[ -n "$scene" ] || bad_use "film.sh: which scene? There are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+# positive WHAT VALUE
+positive() {
+  { [[ $2 =~ ^[0-9]*\.?[0-9]+$ ]] && awk "BEGIN {exit !($2 > 0 && $2 < 1e4)}"; } ||
+    bad_use "film.sh: $1 $2 is not a positive number below 10000"
+}
+positive --seconds "$seconds"
+positive --speed "$speed"
+[[ $fps =~ ^[1-9][0-9]?$ ]] || bad_use "film.sh: --fps $fps is not a whole number from 1 to 99"
+[[ $from =~ ^-?[0-9]*\.?[0-9]+$ ]] || bad_use "film.sh: --from $from is not a number of seconds"
+[[ $size =~ ^[1-9][0-9]{1,2}[02468]x[1-9][0-9]{1,2}[02468]$|^[1-9][0-9][02468]x[1-9][0-9][02468]$ ]] ||
+  bad_use "film.sh: --size $size is not WIDTHxHEIGHT in even numbers, such as 1280x720"
+[[ $picture_width =~ ^[1-9][0-9]{1,3}$ ]] || bad_use "film.sh: --picture-width $picture_width is not a number of pixels"
+case "$picture" in webp | gif | none) ;; *) bad_use "film.sh: --picture $picture is not webp, gif or none" ;; esac
+case "$scene" in
+  */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) config=$root/rviz/demo.rviz ;;
+  *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/$scene.rviz ;;
+esac
+[ -f "$file" ] || bad_use "film.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+out=$(realpath -m -- "$out")
+{ mkdir -p "$out" && [ -w "$out" ]; } 2> /dev/null || bad_use "film.sh: cannot write into $out"
+
+work=$(mktemp -d) core_pid= launch_pid= display_pid= log=$root/build/film.log
+finish() {
+  for pid in $launch_pid $core_pid; do
+    kill -INT "$pid" 2> /dev/null || true
+    wait "$pid" 2> /dev/null || true
+  done
+  [ -z "$display_pid" ] || kill "$display_pid" 2> /dev/null || true
+  rm -rf "$work"
+}
+trap finish EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+/usr/bin/python3 "$root/scripts/choose_view.py" "$config" "$work/view.rviz" "$view" "$size" 2> "$work/said" ||
+  bad_use "film.sh: $(cat "$work/said")"
+
+"$root/scripts/setup.sh"
+[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package; }
+enter_devel
+"$build/devel/lib/poinsot/poinsot_node" --check "$file" > "$work/said" 2>&1 || { cat "$work/said" >&2; exit 2; }
+
+mkdir -p "$(dirname "$log")" && : > "$log"
+say "filming $name, $seconds s"
+stay_on_loopback "$(free_port)"
+start_display "$size"
+roscore -p "${ROS_MASTER_URI##*:}" > "$work/core.log" 2>&1 &
+core_pid=$!
+for _ in $(seq 100); do rosparam list > /dev/null 2>&1 && break; sleep 0.1; done
+# A step of the node is a frame.
+rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $fps / $speed}")"
+roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
+launch_pid=$!
+failed() { tail -n 20 "$log" >&2; fail "film.sh: $1; the output of the nodes is in $log"; }
+up=no
+for _ in $(seq 120); do
+  kill -0 "$launch_pid" 2> /dev/null || failed "the launch ended early"
+  if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
+  sleep 0.5
+done
+[ $up = yes ] || failed "RViz does not come up"
+sleep 4  # until it has drawn what it was sent
+
+frames=$(awk "BEGIN {printf \"%d\", $seconds * $fps + 0.5}")
+skipped=$(awk "BEGIN {n = 3 * $fps / $speed; printf \"%d\", n < 150 ? n : 150}")
+begin=$(awk "BEGIN {printf \"%.9g\", $from - $skipped * $speed / $fps}")
+case "$from" in 0 | 0.0) skipped=0 begin=0 ;; esac  # nothing was before
+python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "$begin" 2>> "$log" |
+  ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size "$size" -framerate "$fps" -i pipe:0 \
+    -c:v libx264 -preset slow -crf 20 -pix_fmt yuv420p -movflags +faststart "$work/film.mp4" 2>> "$log" ||
+  failed "no film could be taken"
+case "$picture" in
+  webp) ffmpeg -loglevel error -y -i "$work/film.mp4" -vf "fps=20,scale=$picture_width:-2:flags=lanczos" -c:v libwebp_anim \
+    -quality 75 -compression_level 4 -loop 0 -an "$work/film.webp" 2>> "$log" || failed "no moving picture could be made" ;;
+  gif) ffmpeg -loglevel error -y -i "$work/film.mp4" -filter_complex \
+    "fps=20,scale=$picture_width:-2:flags=lanczos,split[a][b];[a]palettegen=max_colors=160[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle" \
+    "$work/film.gif" 2>> "$log" || failed "no moving picture could be made" ;;
+esac
+for kind in mp4 webp gif; do
+  [ -f "$work/film.$kind" ] || continue
+  cp "$work/film.$kind" "$out/.$name.$kind.part"
+  mv "$out/.$name.$kind.part" "$out/$name.$kind"
+  echo "$out/$name.$kind: $(stat -c %s "$out/$name.$kind") bytes"
+done

@@ -1,0 +1,309 @@
+#!/usr/bin/python3
+"""Writes RViz's views of the scenes, rviz/<scene>.rviz, and demo.rviz and compare.rviz: make_views.py [DIRECTORY].
+
+Each is scripts/view_template.rviz with three cameras: Overview, which holds everything that the scene's markers reach in
+its first seconds, in a window of 4 : 3 with room for the panel and on a full screen; Riding, which turns with the body;
+Along L, which looks down the angular momentum on the picture in world axes. Where things are is asked of `simulate`, so
+this wants the package built and its devel/setup.bash sourced. The same files come out every time.
+"""
+import glob
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import rosbag
+
+ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), ".."))
+ASPECT = 1.46  # of the narrowest picture that all must fit into, RViz's beside the panel
+HALF_VIEW = math.tan(math.radians(22.5))  # RViz's field of view is 45 degrees high
+MARGIN = .97
+SAMPLES = 40
+
+# What a scene needs that is not so for all: `until`, for how long all must be in the view [s]; `pitch` of the camera;
+# `bodies`: nothing but the bodies is shown.
+USUAL = {"until": 20, "pitch": .3, "bodies": False}
+TABLE = {
+    "damped_tumble": {"pitch": .2},
+    "gravity_gradient": {"pitch": .2},
+    "heavy_top_cusps": {"pitch": .45},
+    "heavy_top_loops": {"pitch": .45},
+    "heavy_top_sleeping": {"pitch": .45, "until": 25},
+    "heavy_top_waves": {"pitch": .45},
+    "hundred": {"pitch": .1, "until": .1, "bodies": True},
+    "explorer1": {"until": 45},
+    "regimes": {"pitch": .2},
+    "separatrix": {"pitch": .2},
+    "sphere": {"pitch": .2},
+    "thruster_despin": {"pitch": .2, "until": 24},
+    "tossed_book": {"pitch": .12, "until": 15.1},
+    "wingnut": {"pitch": .12, "until": 26},
+    "compare": {"pitch": .1},
+}
+
+# compare.launch's arrangement of the first scene's body; the steppers' names do not matter.
+COMPARED = [("lie_euler", -7.6, 2.1), ("buss2", 0, 2.1), ("good", -7.6, -2.1), ("closed_form", 0, -2.1)]
+
+
+# --- what is where --------------------------------------------------------------------------------------------------
+
+
+def rotated(q, p):
+    u = (q.x, q.y, q.z)
+    t = [2 * (u[1] * p[2] - u[2] * p[1]), 2 * (u[2] * p[0] - u[0] * p[2]), 2 * (u[0] * p[1] - u[1] * p[0])]
+    return (p[0] + q.w * t[0] + u[1] * t[2] - u[2] * t[1], p[1] + q.w * t[1] + u[2] * t[0] - u[0] * t[2],
+            p[2] + q.w * t[2] + u[0] * t[1] - u[1] * t[0])
+
+
+class Recording:
+    """A scene as `simulate` records it."""
+
+    def __init__(self, scene, setting):
+        self.frames, self.bodies, self.states, self.namespaces, self.spheres = {}, [], {}, ({}, {}), []
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "scene.bag")
+            subprocess.run([os.path.join(ROOT, "build", "devel", "lib", "poinsot", "simulate"), scene, "--bag", file,
+                            "--duration", str(setting["until"]), "--rate", "%.17g" % (SAMPLES / setting["until"])],
+                           check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            with rosbag.Bag(file) as bag:
+                self.read(bag, setting)
+
+    def read(self, bag, setting):
+        for _, message, _ in bag.read_messages("/tf_static"):
+            for t in message.transforms:
+                self.frames[t.child_frame_id] = t.transform
+        marked = []
+        for topic, message, _ in bag.read_messages():
+            if topic.endswith("/state"):
+                self.states.setdefault(message.body, message)
+                if message.body not in self.bodies:
+                    self.bodies.append(message.body)
+                p = message.position
+                self.spheres.append(((p.x, p.y, p.z), self.radius(message.body)))
+            elif topic.endswith("markers_static") or topic.endswith("markers"):
+                for marker in message.markers:
+                    if marker.ns:
+                        self.namespaces[not topic.endswith("static")][marker.ns] = True
+                marked.append(message)
+        if not setting["bodies"]:
+            for message in marked:
+                for marker in message.markers:
+                    self.add(marker)
+
+    def radius(self, body):
+        """The layout puts the picture in world axes 1.55 m beyond the body's own sphere."""
+        at, start = self.frames[body + "_space"].translation, self.states[body].position
+        return math.dist((at.x, at.y, at.z), (start.x, start.y, start.z)) - 1.55
+
+    def placed(self, frame, p):
+        frame = frame.lstrip("/")
+        if frame == "world":
+            return p
+        if frame.endswith("_space_body"):
+            frame = frame[:-len("_body")]  # turns, about the same centre
+        if frame not in self.frames:
+            return None  # the body itself
+        t = self.frames[frame]
+        q = rotated(t.rotation, p)
+        return (q[0] + t.translation.x, q[1] + t.translation.y, q[2] + t.translation.z)
+
+    def add(self, marker):
+        if marker.action != marker.ADD:
+            return
+        at, scale = marker.pose.position, marker.scale
+        origin = (at.x, at.y, at.z)
+        turning = marker.header.frame_id.endswith("_space_body")
+        if marker.type == marker.TEXT_VIEW_FACING:
+            lines = marker.text.split("\n")
+            half = (.28 * scale.z * max(len(line) for line in lines), .6 * scale.z * len(lines))
+            centre = self.placed(marker.header.frame_id, origin)
+            if centre:
+                for y, z in ((-1, 0), (1, 0), (0, 1), (0, -1)):
+                    self.spheres.append(((centre[0], centre[1] + y * half[0], centre[2] + z * half[1]), .02))
+            return
+        points = [rotated(marker.pose.orientation, (p.x, p.y, p.z)) for p in marker.points]
+        points = [tuple(a + b for a, b in zip(p, origin)) for p in points]
+        if marker.type == marker.SPHERE or not points:
+            points, reach = [origin], .5 * max(scale.x, scale.y, scale.z)
+        else:
+            reach = .02
+        if turning:  # whatever way it is turned
+            points, reach = [(0, 0, 0)], reach + max(math.sqrt(sum(x * x for x in p)) for p in points)
+        if len(points) > 64:
+            points = points[::len(points) // 64]
+        for p in points:
+            centre = self.placed(marker.header.frame_id, p)
+            if centre:
+                self.spheres.append((centre, reach))
+
+
+# --- cameras --------------------------------------------------------------------------------------------------------
+
+
+def fitted(spheres, pitch):
+    """The nearest camera at +x that holds them all: distance and focal point."""
+    c, s = math.cos(pitch), math.sin(pitch)
+    seen = [(p[0] * c + p[2] * s, p[1], p[2] * c - p[0] * s, r) for p, r in spheres]  # towards the eye, right, up
+
+    def room(distance):
+        low, high = [-math.inf] * 2, [math.inf] * 2
+        for near, right, up, r in seen:
+            for i, (x, tangent) in enumerate(((right, HALF_VIEW * ASPECT * MARGIN), (up, HALF_VIEW * MARGIN))):
+                half = (distance - near) * tangent - r * math.sqrt(1 + tangent * tangent)
+                low[i], high[i] = max(low[i], x - half), min(high[i], x + half)
+        return low, high
+
+    near, far = 1.0, 200.0
+    while far - near > 1e-6:
+        middle = .5 * (near + far)
+        low, high = room(middle)
+        if low[0] <= high[0] and low[1] <= high[1]:
+            far = middle
+        else:
+            near = middle
+    low, high = room(far)
+    right, up = .5 * (low[0] + high[0]), .5 * (low[1] + high[1])
+    return far, (-s * up, right, c * up)
+
+
+def wide(spheres, pitch, focal):
+    """How near a camera with that focal point may come on a screen of 16 : 9."""
+    c, s = math.cos(pitch), math.sin(pitch)
+    nearest = 1.0
+    for p, r in spheres:
+        x, y, z = (a - b for a, b in zip(p, focal))
+        for beside, tangent in ((abs(y), HALF_VIEW * 16 / 9 * MARGIN), (abs(z * c - x * s), HALF_VIEW * MARGIN)):
+            nearest = max(nearest, x * c + z * s + (beside + r * math.sqrt(1 + tangent * tangent)) / tangent)
+    return nearest
+
+
+def orbit(name, distance, focal, pitch, yaw, near=.01):
+    return """Class: rviz/Orbit
+Name: %s
+Distance: %.2f
+Enable Stereo Rendering: {Stereo Eye Separation: 0.06, Stereo Focal Distance: 1, Swap Stereo Eyes: false, Value: false}
+Focal Point: {X: %.2f, Y: %.2f, Z: %.2f}
+Focal Shape Fixed Size: true
+Focal Shape Size: 0.01
+Invert Z Axis: false
+Near Clip Distance: %.2f
+Pitch: %.3f
+Target Frame: world
+Yaw: %.3f""" % ((name, distance) + tuple(x + 0.0 for x in focal) + (near, pitch, yaw))
+
+
+def riding(body):
+    """On the ellipsoids of the picture in world axes: body axes rest, and the world turns. What passes between is cut."""
+    distance = 4.0
+    direction = (-.80, .42, .42)
+    length = math.sqrt(sum(x * x for x in direction))
+    place = [distance * x / length for x in direction]
+    yaw, pitch = math.atan2(-place[1], -place[0]), math.asin(place[2] / distance)
+    return """Class: rviz/FrameAligned
+Name: Riding
+Enable Stereo Rendering: {Stereo Eye Separation: 0.06, Stereo Focal Distance: 1, Swap Stereo Eyes: false, Value: false}
+Invert Z Axis: false
+Lock Camera: true
+Near Clip Distance: %.2f
+Pitch: %.3f
+Point towards: arbitrary
+Position: {X: %.2f, Y: %.2f, Z: %.2f}
+Roll: 0
+Target Frame: %s
+Yaw: %.3f""" % (distance - 1.5, pitch, place[0], place[1], place[2], body + "_space_body", yaw)
+
+
+def along_momentum(recording, body):
+    at, momentum = recording.frames[body + "_space"].translation, recording.states[body].momentum_world
+    x, y, z = momentum.x, momentum.y, momentum.z
+    length = math.sqrt(x * x + y * y + z * z)
+    pitch = math.asin(z / length)
+    yaw = math.atan2(y, x)
+    if math.hypot(x, y) < .12 * length:  # seen from above as good as along L, and not turned round
+        pitch, yaw = 1.57, 0
+    return orbit("Along L", 4.6, (at.x, at.y, at.z), max(-1.57, min(1.57, pitch)), yaw % (2 * math.pi), near=2.6)
+
+
+# --- files ----------------------------------------------------------------------------------------------------------
+
+
+def indented(text, first, rest):
+    lines = text.split("\n")
+    return "\n".join([first + lines[0]] + [rest + line for line in lines[1:]])
+
+
+def hidden(namespaces, only_bodies):
+    if not only_bodies:
+        return ""
+    return ", ".join("%s: false" % ns for ns in sorted(namespaces) if not ns.endswith("/shape"))
+
+
+def view(recording, setting, ride):
+    distance, focal = fitted(recording.spheres, setting["pitch"])
+    overview = orbit("Overview", distance, focal, setting["pitch"], 0)
+    saved = [overview]
+    if ride:
+        body = recording.bodies[0] if ride is True else ride
+        saved.append(riding(body))
+        if any((recording.states[body].momentum_world.x, recording.states[body].momentum_world.y,
+                recording.states[body].momentum_world.z)):
+            saved.append(along_momentum(recording, body))
+    lowest = min(p[2] - r for p, r in recording.spheres)
+    fields = {
+        "wide": "%.2f" % wide(recording.spheres, setting["pitch"], focal),
+        "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
+        "floor_cells": "%d" % (24 if distance < 8 else 30 if distance < 15 else 40),
+        "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
+        "hidden_motion": hidden(recording.namespaces[1], setting["bodies"]),
+        "current": indented(overview.replace("Name: Overview", "Name: Current View"), " " * 6, " " * 6),
+        "saved": "\n".join(indented(one, " " * 6 + "- ", " " * 8) for one in saved),
+    }
+    with open(os.path.join(ROOT, "scripts", "view_template.rviz")) as template:
+        text = template.read()
+    for key, value in fields.items():
+        text = text.replace("@%s@" % key, value)
+    return text
+
+
+def compared():
+    with open(os.path.join(ROOT, "scenes", "dzhanibekov.yaml")) as scene:
+        head, body = scene.read().split("  - name: wingnut\n")
+    return head + "".join(
+        "  - name: %s\n%s    effects: [{type: translation, position: [0, %g, %g]}]\n" % (name, body, y, z)
+        for name, y, z in COMPARED)
+
+
+def write(folder, name, text):
+    path = os.path.join(folder, name + ".rviz")
+    with open(path + ".part", "w") as out:
+        out.write(text)
+    os.rename(path + ".part", path)
+
+
+def main():
+    if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
+        print(__doc__)
+        return 0 if len(sys.argv) == 2 else 2
+    folder = sys.argv[1] if len(sys.argv) == 2 else os.path.join(ROOT, "rviz")
+    if not os.path.isdir(folder):
+        print("make_views.py: there is no directory %s" % folder, file=sys.stderr)
+        return 2
+    for path in sorted(glob.glob(os.path.join(ROOT, "scenes", "*.yaml"))):
+        name = os.path.splitext(os.path.basename(path))[0]
+        setting = dict(USUAL, **TABLE.get(name, {}))
+        recording = Recording(path, setting)
+        write(folder, name, view(recording, setting, True))
+        if name == "dzhanibekov":
+            write(folder, "demo", view(recording, setting, None))  # for scenes of your own: no body's name is known
+    with tempfile.TemporaryDirectory() as temporary:
+        path = os.path.join(temporary, "compare.yaml")
+        with open(path, "w") as out:
+            out.write(compared())
+        setting = dict(USUAL, **TABLE["compare"])
+        write(folder, "compare", view(Recording(path, setting), setting, "closed_form"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
