@@ -38,8 +38,7 @@ std::vector<Point> thinned(const std::vector<Point>& points, int columns) {
   for (std::size_t from = 0; from < points.size(); from += run) {
     const auto begin = points.begin() + from;
     const auto end = points.begin() + std::min(from + run, points.size());
-    const auto [low, high] =
-        std::minmax_element(begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
+    const auto [low, high] = std::minmax_element(begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
     out.push_back(*std::min(low, high));
     if (low != high) out.push_back(*std::max(low, high));
   }

@@ -99,7 +99,6 @@ void MethodChoice::showStatus(const NodeStatus& status) {
   for (const BodyStatus& body : status.bodies) bodies << QString::fromStdString(body.name);
   const QString before = body();
   showChoices(body_, bodies, bodies.contains(before) || bodies.isEmpty() ? before : bodies.front());
-  body_->setEnabled(bodies.size() > 1);
   if (body() != before) Q_EMIT bodyChanged(body());
 
   const BodyStatus* shown = bodyNamed(status, body());

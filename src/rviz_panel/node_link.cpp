@@ -21,12 +21,12 @@ namespace {
 
 namespace names = node::names;
 
-constexpr int kPollEvery = 50;             // ms
-constexpr int kSilence = 1500;             // ms, after which a node counts as gone
-constexpr int kAttemptEvery = 2000;        // ms, from when the last attempt was ready to hear
-constexpr int kPatienceForListener = 3000; // ms, after which what nobody listened to is dropped
-constexpr int kLongCall = 1000;            // ms
-constexpr int kMostCalls = 20;             // waiting to be answered
+constexpr int kPollEvery = 50;              // ms
+constexpr int kSilence = 1500;              // ms, after which a node counts as gone
+constexpr int kAttemptEvery = 2000;         // ms, from when the last attempt was ready to hear
+constexpr int kPatienceForListener = 3000;  // ms, after which what nobody listened to is dropped
+constexpr int kLongCall = 1000;             // ms
+constexpr int kMostCalls = 20;              // waiting to be answered
 constexpr int kStateQueue = 2000;
 
 }  // namespace
@@ -34,10 +34,7 @@ constexpr int kStateQueue = 2000;
 /** Subscribers and publishers: made, changed and destroyed by the worker, listened to on the link's thread. */
 struct NodeLink::Connection {
   Connection(NodeLink* to, std::string name)
-      : link(to),
-        node(std::move(name)),
-        handle(ros::names::parentNamespace(node)),
-        private_handle(node) {
+      : link(to), node(std::move(name)), handle(ros::names::parentNamespace(node)), private_handle(node) {
     handle.setCallbackQueue(&queue);
     private_handle.setCallbackQueue(&queue);
     speed = private_handle.advertise<std_msgs::Float64>(names::kSpeed, 10);
@@ -89,8 +86,9 @@ void NodeLink::setNode(const QString& name) {
   std::string error;
   const std::string wanted = name.trimmed().toStdString();
   if (wanted.empty() || !ros::names::validate(wanted, error)) {
-    Q_EMIT refused(wanted.empty() ? "A node's name is needed, such as /poinsot."
-                                  : QString("“%1” cannot be a node's name: %2").arg(name, QString::fromStdString(error)));
+    Q_EMIT refused(wanted.empty()
+                       ? "A node's name is needed, such as /poinsot."
+                       : QString("“%1” cannot be a node's name: %2").arg(name, QString::fromStdString(error)));
     return;
   }
   std::string resolved;

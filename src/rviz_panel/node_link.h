@@ -22,8 +22,8 @@ namespace poinsot::rviz_panel {
  * All that the panel has to do with ROS: the node's status, one body's state, and what is asked of the node.
  *
  * Lives on one thread, whose signals all come from there, and never waits: what may wait for the node or for the master
- * (service calls, subscribing) is done by workers. A node that falls silent is looked for anew, every two seconds, with new
- * subscriptions: those of before a restart of the master would hear nothing.
+ * (service calls, subscribing) is done by workers. A node that falls silent is looked for anew, every two seconds, with
+ * new subscriptions: those of before a restart of the master would hear nothing.
  */
 class NodeLink : public QObject {
   Q_OBJECT

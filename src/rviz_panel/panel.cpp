@@ -1,8 +1,8 @@
 #include "panel.h"
 
-#include <pluginlib/class_list_macros.hpp>
 #include <rviz/config.h>
 #include <rviz/visualization_manager.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <QFrame>
 #include <QGridLayout>
@@ -25,9 +25,9 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kRefreshEvery = 66;     // ms
-constexpr int kGoodNewsFor = 5000;    // ms
-constexpr int kTroubleFor = 15000;    // ms
+constexpr int kRefreshEvery = 66;   // ms
+constexpr int kGoodNewsFor = 5000;  // ms
+constexpr int kTroubleFor = 15000;  // ms
 constexpr int kWidth = 330;
 
 QFrame* line() {
@@ -46,6 +46,7 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), link_(new NodeLink(this)) {
 }
 
 void Panel::build() {
+  setObjectName("poinsot_panel");
   auto* const outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->setSpacing(0);

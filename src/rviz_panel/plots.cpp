@@ -23,12 +23,13 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr double kWindow = 20;      // s of stamps
-constexpr int kCapacity = 4000;     // samples
-constexpr int kHeight = 120;        // pixels of each plot
-constexpr double kFloor = 1e-17;    // of the log scale; 0 is drawn there
+constexpr double kWindow = 20;    // s of stamps
+constexpr int kCapacity = 4000;   // samples
+constexpr int kHeight = 120;      // pixels of each plot
+constexpr double kFloor = 1e-17;  // of the log scale; 0 is drawn there
 constexpr double kLowestTop = 1e-11;
-constexpr double kAxisWidth = 40;   // pixels, so that both plots lie one above the other
+constexpr double kRoom = 0.02;     // of the span shown
+constexpr double kAxisWidth = 40;  // pixels, so that both plots lie one above the other
 
 /** Ticks with true minus signs and powers of ten; a time far from 0 in full. */
 class Ticks : public QwtScaleDraw {
@@ -123,11 +124,13 @@ Plots::Plots(QWidget* parent) : QWidget(parent), history_(kWindow, kCapacity) {
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(1);
-  omega_plot_ = makePlot("omega_plot", "The angular velocity of the body in its principal axes, over simulation time.", false);
-  error_plot_ = makePlot("error_plot",
-                         "How far energy and momentum have drifted since the segment began, and how far the attitude is "
-                         "from the closed form, over simulation time.",
-                         true);
+  omega_plot_ =
+      makePlot("omega_plot", "The angular velocity of the body in its principal axes, over simulation time.", false);
+  error_plot_ =
+      makePlot("error_plot",
+               "How far energy and momentum have drifted since the segment began, and how far the attitude is "
+               "from the closed form, over simulation time.",
+               true);
   const std::array<QColor, 3> omega_colours = {colours::kOmega1, colours::kOmega2, colours::kOmega3};
   const std::array<QColor, 3> error_colours = {colours::kEnergy, colours::kMomentum, colours::kAttitudeError};
   for (int i = 0; i < 3; ++i) {
@@ -140,6 +143,7 @@ Plots::Plots(QWidget* parent) : QWidget(parent), history_(kWindow, kCapacity) {
   layout->addWidget(makeLegend(coloured("Ω₁", omega_colours[0]) + " " + coloured("Ω₂", omega_colours[1]) + " " +
                                coloured("Ω₃", omega_colours[2]) + " in rad/s, principal axes, over t in s"));
   layout->addWidget(omega_plot_);
+  layout->addSpacing(4);
   layout->addWidget(makeLegend("drift of " + coloured("energy", error_colours[0]) + ", " +
                                coloured("momentum", error_colours[1]) + "; " +
                                coloured("true error", error_colours[2]) + " in rad"));
@@ -189,6 +193,9 @@ void Plots::refresh() {
   // A young history begins with room for what is to come.
   const double least = 1e-9 * std::max({1.0, std::abs(from), std::abs(to)});
   if (to - from < least) to = from + std::max(least, 1.0);
+  const double room = kRoom * (to - from);  // for the dots at the tips
+  const bool backwards = history_.size() > 1 && history_[history_.size() - 1].time < history_[history_.size() - 2].time;
+  (backwards ? from : to) += backwards ? -room : room;
   drawOmega(from, to);
   drawErrors(from, to);
 }
@@ -204,8 +211,7 @@ void Plots::drawOmega(double from, double to) {
   if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
   const double bound = roundUp(1.02 * largest);
   if (bound > omega_bound_ || bound < omega_bound_ / 4) omega_bound_ = bound;
-  omega_plot_->setAxisScaleDiv(QwtPlot::yLeft,
-                               division(-omega_bound_, omega_bound_, {-omega_bound_, 0, omega_bound_}));
+  omega_plot_->setAxisScaleDiv(QwtPlot::yLeft, division(-omega_bound_, omega_bound_, {-omega_bound_, 0, omega_bound_}));
   omega_plot_->setAxisScale(QwtPlot::xBottom, from, to);
   const int columns = std::max(50, omega_plot_->canvas()->width());
   for (int i = 0; i < 3; ++i) {

@@ -15,7 +15,8 @@ class QwtPlotCurve;
 
 namespace poinsot::rviz_panel {
 
-/** The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off. */
+/** The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off.
+ */
 class Plots : public QWidget {
   Q_OBJECT
 

@@ -111,8 +111,8 @@ void ReadOuts::showState(const BodyState& state) {
   setText(energy_drift_, word + text::small(state.energy_drift));
   setText(momentum_drift_, word + text::small(state.momentum_drift));
   setText(attitude_error_, free ? text::small(state.attitude_error) + " rad" : "no closed form under torque");
-  setText(cost_, std::isnan(state.cost) ? QString("not measured")
-                                        : text::withPrefix(state.cost, "s", 3) + " per simulated s");
+  setText(cost_,
+          std::isnan(state.cost) ? QString("not measured") : text::withPrefix(state.cost, "s", 3) + " per simulated s");
 }
 
 }  // namespace poinsot::rviz_panel

@@ -14,7 +14,8 @@ namespace poinsot::rviz_panel {
 
 class ElidedLabel;
 
-/** What one body's motion amounts to, in figures: energy, momentum, their drift, the true error, flips, cost, regime. */
+/** What one body's motion amounts to, in figures: energy, momentum, their drift, the true error, flips, cost, regime.
+ */
 class ReadOuts : public QWidget {
   Q_OBJECT
 

@@ -35,15 +35,8 @@ QString withPrefix(double value, const QString& unit, int digits) {
     double factor;
     const char* letter;
   };
-  static constexpr std::array<Prefix, 9> kPrefixes = {{{1e12, "T"},
-                                                       {1e9, "G"},
-                                                       {1e6, "M"},
-                                                       {1e3, "k"},
-                                                       {1, ""},
-                                                       {1e-3, "m"},
-                                                       {1e-6, "µ"},
-                                                       {1e-9, "n"},
-                                                       {1e-12, "p"}}};
+  static constexpr std::array<Prefix, 9> kPrefixes = {
+      {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};
   const double size = std::abs(value);
   if (size == 0) return "0 " + unit;
   if (size >= 1e15 || size < 1e-12) return withMinus(QString::number(value, 'g', digits)) + " " + unit;

@@ -2,7 +2,8 @@
 
 namespace poinsot::rviz_panel {
 
-/** The stretch of simulation time that a slider of finite length shows: like a page of a book, it turns to where t is. */
+/** The stretch of simulation time that a slider of finite length shows: like a page of a book, it turns to where t is.
+ */
 class TimePage {
  public:
   /** Pages of `span` seconds that begin at 0, or, with `both_sides`, of twice that, the middle of one at 0. */

@@ -28,7 +28,16 @@ struct Span {
   double seconds;
   const char* text;
 };
-constexpr std::array<Span, 5> kSpans = {{{10, "10 s"}, {60, "1 min"}, {600, "10 min"}, {3600, "1 h"}, {86400, "1 day"}}};
+constexpr std::array<Span, 5> kSpans = {
+    {{10, "10 s"}, {60, "1 min"}, {600, "10 min"}, {3600, "1 h"}, {86400, "1 day"}}};
+
+QLabel* smallPrint(const QString& text) {
+  auto* const label = new QLabel(text);
+  QFont small = label->font();
+  small.setPointSizeF(0.85 * small.pointSizeF());
+  label->setFont(small);
+  return label;
+}
 
 bool recent(const QElapsedTimer& timer) {
   return timer.isValid() && !timer.hasExpired(kHoldOff);
@@ -96,15 +105,8 @@ void Transport::buildTime() {
   time_slider_->setRange(0, kTimePositions);
   time_slider_->setSingleStep(kTimePositions / 200);
   time_slider_->setPageStep(kTimePositions / 20);
-  page_from_ = new QLabel;
-  page_to_ = new QLabel;
-  page_to_->setAlignment(Qt::AlignRight);
-  for (QLabel* end : {page_from_, page_to_}) {
-    end->setEnabled(false);  // grey: small print
-    QFont small = end->font();
-    small.setPointSizeF(0.85 * small.pointSizeF());
-    end->setFont(small);
-  }
+  page_from_ = smallPrint("");
+  page_to_ = smallPrint("");
   page_from_->setObjectName("page_from");
   page_to_->setObjectName("page_to");
 
@@ -144,8 +146,9 @@ void Transport::buildSpeed() {
   label->setBuddy(speed_slider_);
   speed_text_ = new QLabel;
   speed_text_->setObjectName("speed_text");
-  speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  speed_text_->setFixedWidth(speed_text_->fontMetrics().horizontalAdvance("×−0.0123"));
+  QFont bold = speed_text_->font();
+  bold.setBold(true);
+  speed_text_->setFont(bold);
   real_time_ = new QToolButton;
   real_time_->setText("×&1");
   describe(real_time_, "real_time", "Real time, in the direction in which it plays.");
@@ -155,11 +158,17 @@ void Transport::buildSpeed() {
   describe(backwards_, "backwards", "Play backwards.");
 
   grid->addWidget(label, 0, 0);
-  grid->addWidget(speed_slider_, 0, 1);
-  grid->addWidget(speed_text_, 0, 2);
+  grid->addWidget(speed_text_, 0, 1);
   grid->addWidget(real_time_, 0, 3);
   grid->addWidget(backwards_, 0, 4);
-  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(2, 1);
+  grid->addWidget(speed_slider_, 1, 0, 1, 5);
+  auto* const ends = new QHBoxLayout;
+  for (const double end : {speed_scale::kSlowest, 1.0, speed_scale::kFastest}) {
+    if (end > speed_scale::kSlowest) ends->addStretch();
+    ends->addWidget(smallPrint(text::speed(end)));
+  }
+  grid->addLayout(ends, 2, 0, 1, 5);
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
 
   connect(speed_slider_, &QSlider::valueChanged, this, &Transport::askSpeed);

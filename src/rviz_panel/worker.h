@@ -21,8 +21,8 @@ class Mailbox {
 };
 
 /**
- * A thread that does one job after another: what may wait for other programs. Whoever destroys a worker waits for its jobs for
- * a second at most; what takes longer is left to itself, and must therefore own what it uses.
+ * A thread that does one job after another: what may wait for other programs. Whoever destroys a worker waits for its
+ * jobs for a second at most; what takes longer is left to itself, and must therefore own what it uses.
  */
 class Worker {
  public:
