@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# How many pictures a second RViz draws of a scene under software OpenGL, beside an RViz that shows nothing.
+#
+# Usage: benchmark/frame_rate.sh SCENE [VIEW] [OPTION ...]
+#   SCENE      a name in scenes/
+#   VIEW       a name in rviz/ (default: the scene's, or demo)
+#   OPTION ... of rviz_frame_rate: --seconds S, --rounds N, --rate HZ
+source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
+case "${1:-}" in
+  '' | -h | --help) usage; exit 0 ;;
+esac
+scene=$1
+shift
+view=demo
+[ ! -f "$root/rviz/$scene.rviz" ] || view=$scene
+if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
+  view=$1
+  shift
+fi
+[ -f "$root/scenes/$scene.yaml" ] || bad_use "frame_rate.sh: there is no scene $scene"
+[ -f "$root/rviz/$view.rviz" ] || bad_use "frame_rate.sh: there is no view $view"
+
+build_package poinsot_node poinsot_rviz rviz_frame_rate
+enter_devel
+stay_on_loopback "$(free_port)"
+ROS_HOME=$(mktemp -d)
+export ROS_HOME HOME=$ROS_HOME XDG_RUNTIME_DIR=$ROS_HOME QT_QPA_PLATFORM=xcb
+pids=()
+finish() { kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"; }
+trap finish EXIT
+
+roscore -p "${ROS_MASTER_URI##*:}" > /dev/null 2>&1 &
+pids+=($!)
+until rosparam list > /dev/null 2>&1; do sleep 0.2; done
+start_display 1600x900
+pids+=("$display_pid")
+program=$build/devel/lib/poinsot
+"$program/poinsot_node" __name:=poinsot _scene_file:="$root/scenes/$scene.yaml" > /dev/null 2>&1 &
+pids+=($!)
+sleep 2
+echo "$scene with rviz/$view.rviz, $(nproc) cores"
+"$program/rviz_frame_rate" "$root/rviz/$view.rviz" "$@" 2> /dev/null | grep -E '^(round|ratio)'

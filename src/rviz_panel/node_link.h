@@ -1,0 +1,105 @@
+#pragma once
+
+#include <poinsot/BodyDescription.h>
+#include <poinsot/BodyState.h>
+#include <poinsot/NodeStatus.h>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "worker.h"
+
+namespace poinsot::rviz_panel {
+
+/**
+ * All that the panel has to do with ROS: the node's status, one body's state, and what is asked of the node.
+ *
+ * Lives on one thread, whose signals all come from there, and never waits: what may wait for the node or for the master
+ * (service calls, subscribing) is done by workers. A node that falls silent is looked for anew, every two seconds, with
+ * new subscriptions: those of before a restart of the master would hear nothing.
+ */
+class NodeLink : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit NodeLink(QObject* parent = nullptr);
+  ~NodeLink() override;
+
+  /** The node to listen to; a relative name is resolved as ROS does. A name that ROS does not allow is refused. */
+  void setNode(const QString& name);
+  QString node() const { return QString::fromStdString(node_); }
+
+  /** The body whose state and description are wanted; empty: none. */
+  void setBody(const QString& body);
+
+  /** Did the node's status arrive lately? */
+  bool alive() const { return alive_; }
+  /** Has the node taken more than a moment over something it was asked for? */
+  bool waiting() const;
+
+  void setPaused(bool paused);
+  void step();
+  void reset();
+  void loadScene(const QString& scene);
+  /** `step` in seconds; 0: chosen by the node. */
+  void setMethod(const QString& body, const QString& method, double step);
+
+  // Topics: no more than twenty messages a second each, of which the last one is always sent.
+  void setSpeed(double speed);
+  void seek(double time);
+  /** Where the viewer's eye is [m], in the world frame. */
+  void setViewpoint(double x, double y, double z);
+
+ Q_SIGNALS:
+  void found();
+  void lost();
+  void statusReceived(const poinsot::NodeStatus& status);
+  void stateReceived(const poinsot::BodyState& state);
+  void descriptionReceived(const poinsot::BodyDescription& description);
+  /** What became of a service call, in the node's words. */
+  void done(const QString& message);
+  void refused(const QString& message);
+
+ private:
+  struct Connection;
+
+  /** Keeps the last of what is to be published until somebody listens, and paces it. */
+  struct Outgoing {
+    std::function<bool()> send;  ///< empty: nothing to send; false: nobody listens yet
+    QElapsedTimer since_set;
+    QElapsedTimer since_sent;
+  };
+
+  void poll();
+  void connectAnew();
+  void follow();
+  void set(Outgoing& outgoing, std::function<bool()> send);
+  void flush(Outgoing& outgoing);
+  template <typename Service>
+  void call(const char* name, const typename Service::Request& request);
+
+  std::string node_ = "/poinsot";
+  std::string body_;
+  bool alive_ = false;
+  bool connecting_ = false;
+  QElapsedTimer since_status_;
+  QElapsedTimer since_attempt_;
+  QElapsedTimer since_call_;
+  int calls_ = 0;
+  int generation_ = 0;  ///< of the answers that still matter
+  Outgoing speed_, seek_, viewpoint_;
+  QTimer timer_;
+  std::shared_ptr<Connection> connection_;
+  std::shared_ptr<Mailbox> mailbox_;
+  Worker subscribing_;
+  Worker calling_;
+};
+
+}  // namespace poinsot::rviz_panel

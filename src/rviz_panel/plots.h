@@ -1,0 +1,47 @@
+#pragma once
+
+#include <poinsot/BodyDescription.h>
+#include <poinsot/BodyState.h>
+
+#include <Eigen/Core>
+#include <QWidget>
+#include <array>
+
+#include "history.h"
+
+class QLabel;
+class QwtPlot;
+class QwtPlotCurve;
+
+namespace poinsot::rviz_panel {
+
+/** The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off.
+ */
+class Plots : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Plots(QWidget* parent = nullptr);
+
+  void add(const BodyState& state);
+  void setPrincipalAxes(const BodyDescription& description);
+  void clear();
+  /** Draws what is new; costs nothing where nothing is. */
+  void refresh();
+
+ private:
+  void drawOmega(double from, double to);
+  void drawErrors(double from, double to);
+
+  History history_;
+  Eigen::Matrix3d to_principal_ = Eigen::Matrix3d::Identity();
+  bool changed_ = true;
+  double omega_bound_ = 0;
+  QwtPlot* omega_plot_;
+  QwtPlot* error_plot_;
+  std::array<QwtPlotCurve*, 3> omega_curves_;
+  std::array<QwtPlotCurve*, 3> error_curves_;
+  std::array<QwtPlotCurve*, 3> omega_tips_;
+};
+
+}  // namespace poinsot::rviz_panel

@@ -1,0 +1,118 @@
+#include "read_outs.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "colours.h"
+#include "text.h"
+#include "widgets.h"
+
+namespace poinsot::rviz_panel {
+namespace {
+
+QString dot(const QColor& colour) {
+  return QString("<span style='color:%1'>●</span> ").arg(colour.name());
+}
+
+QLabel* valueLabel(const QString& name, const QString& tip) {
+  auto* const label = new QLabel("–");
+  describe(label, name, tip);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  return label;
+}
+
+double norm(const geometry_msgs::Vector3& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+void setText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+}  // namespace
+
+ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(6);
+  grid_->setVerticalSpacing(2);
+  grid_->setColumnStretch(1, 5);
+  grid_->setColumnStretch(2, 4);
+
+  const QString drift = "Relative, since the segment began: since the last seek, reset or change of method.";
+  energy_ = addRow(dot(colours::kEnergy) + "energy", "energy", "E = ½ ΩᵀMΩ, of rotation.");
+  energy_drift_ = valueLabel("energy_drift", drift);
+  grid_->addWidget(energy_drift_, 0, 2);
+  momentum_ = addRow(dot(colours::kMomentum) + "momentum", "momentum", "|L|, the angular momentum.");
+  momentum_drift_ = valueLabel("momentum_drift", drift);
+  grid_->addWidget(momentum_drift_, 1, 2);
+  attitude_error_ = addRow(dot(colours::kAttitudeError) + "true error", "attitude_error",
+                           "The angle between the attitude as published and the closed form at the same t.");
+  flips_ = addRow("flips", "flips", "How often the body has turned over since t = 0; negative before it.");
+  next_flip_ = valueLabel("next_flip", "Simulated seconds to the next flip, in the direction of play.");
+  grid_->addWidget(next_flip_, 3, 2);
+  cost_ = addRow("cost", "cost", "CPU time that the motion takes per simulated second, measured.");
+  auto* const title = new QLabel("regime");
+  regime_ = new ElidedLabel;
+  regime_->setObjectName("regime");
+  grid_->addWidget(title, 5, 0);
+  grid_->addWidget(regime_, 5, 1, 1, 2);
+  for (QLabel* wide : {attitude_error_, cost_}) {
+    grid_->addWidget(wide, wide == cost_ ? 4 : 2, 1, 1, 2);
+  }
+  clear();
+}
+
+QLabel* ReadOuts::addRow(const QString& title, const QString& name, const QString& tip) {
+  const int row = grid_->rowCount() - (grid_->count() == 0 ? 1 : 0);
+  auto* const label = new QLabel(title);
+  label->setToolTip(tip);
+  QLabel* const value = valueLabel(name, tip);
+  grid_->addWidget(label, row, 0);
+  grid_->addWidget(value, row, 1);
+  return value;
+}
+
+void ReadOuts::clear() {
+  for (QLabel* label :
+       {energy_, energy_drift_, momentum_, momentum_drift_, attitude_error_, flips_, next_flip_, cost_}) {
+    setText(label, "–");
+  }
+  regime_->setFullText("–");
+}
+
+void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
+  for (const BodyStatus& shown : status.bodies) {
+    if (QString::fromStdString(shown.name) != body) continue;
+    regime_->setFullText(QString::fromStdString(shown.regime));
+    if (std::isnan(shown.time_to_next_flip)) {
+      setText(flips_, "not foreseen under torque");
+      setText(next_flip_, "");
+    } else if (!shown.flips) {
+      setText(flips_, "it does not turn over");
+      setText(next_flip_, "");
+    } else {
+      setText(flips_, text::plain(static_cast<double>(shown.flips_since_start), 15));
+      setText(next_flip_, std::isinf(shown.time_to_next_flip) ? QString("none to come")
+                                                              : "next in " + text::seconds(shown.time_to_next_flip));
+    }
+    // The words need more room than the figures.
+    grid_->addWidget(flips_, 3, 1, 1, shown.flips && !std::isnan(shown.time_to_next_flip) ? 1 : 2);
+    return;
+  }
+}
+
+void ReadOuts::showState(const BodyState& state) {
+  setText(energy_, text::withPrefix(state.kinetic_energy, "J", 5));
+  setText(momentum_, text::withPrefix(norm(state.momentum_world), "N·m·s", 5));
+  const bool free = !std::isnan(state.attitude_error);
+  const QString word = free ? "drift " : "change ";
+  setText(energy_drift_, word + text::small(state.energy_drift));
+  setText(momentum_drift_, word + text::small(state.momentum_drift));
+  setText(attitude_error_, free ? text::small(state.attitude_error) + " rad" : "no closed form under torque");
+  setText(cost_,
+          std::isnan(state.cost) ? QString("not measured") : text::withPrefix(state.cost, "s", 3) + " per simulated s");
+}
+
+}  // namespace poinsot::rviz_panel

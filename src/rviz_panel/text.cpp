@@ -1,0 +1,66 @@
+#include "text.h"
+
+#include <array>
+#include <cmath>
+
+namespace poinsot::rviz_panel::text {
+namespace {
+
+QString withMinus(QString text) {
+  return text.replace('-', QChar(0x2212));
+}
+
+}  // namespace
+
+QString time(double value) {
+  const QString number = std::abs(value) < 1e7 ? QString::number(value, 'f', 2) : QString::number(value, 'g', 15);
+  return withMinus(number == "-0.00" ? "0.00" : number);
+}
+
+QString seconds(double value) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0 ? "∞ s" : "−∞ s";
+  return time(value) + " s";
+}
+
+double number(const QString& text, bool* ok) {
+  QString plain = text.trimmed();
+  plain.replace(QChar(0x2212), '-').replace(',', '.');
+  return plain.toDouble(ok);
+}
+
+QString withPrefix(double value, const QString& unit, int digits) {
+  if (!std::isfinite(value)) return "–";
+  struct Prefix {
+    double factor;
+    const char* letter;
+  };
+  static constexpr std::array<Prefix, 9> kPrefixes = {
+      {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};
+  const double size = std::abs(value);
+  if (size == 0) return "0 " + unit;
+  if (size >= 1e15 || size < 1e-12) return withMinus(QString::number(value, 'g', digits)) + " " + unit;
+  for (const Prefix& prefix : kPrefixes) {
+    if (size < prefix.factor) continue;
+    QString number = QString::number(value / prefix.factor, 'g', digits);
+    if (number.contains('e')) number = QString::number(value / prefix.factor, 'f', 0);  // 999.9 in three digits
+    return withMinus(number) + " " + prefix.letter + unit;
+  }
+  return withMinus(QString::number(value, 'g', digits)) + " " + unit;
+}
+
+QString small(double value) {
+  if (std::isnan(value)) return "–";
+  return value == 0 ? QString("0") : withMinus(QString::number(value, 'e', 1));
+}
+
+QString speed(double value) {
+  return "×" + withMinus(QString::number(value, 'g', 3));
+}
+
+QString plain(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  return withMinus(QString::number(value, 'g', digits));
+}
+
+}  // namespace poinsot::rviz_panel::text

@@ -1,0 +1,102 @@
+#include "widgets.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QEvent>
+#include <QLineEdit>
+#include <QProxyStyle>
+#include <QResizeEvent>
+#include <QSignalBlocker>
+
+namespace poinsot::rviz_panel {
+namespace {
+
+class JumpStyle : public QProxyStyle {
+ public:
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
+class WheelGuard : public QObject {
+ public:
+  using QObject::QObject;
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const auto* widget = qobject_cast<QWidget*>(object);
+    if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return false;
+    event->ignore();
+    return true;
+  }
+};
+
+QStringList itemsOf(const QComboBox& combo) {
+  QStringList out;
+  for (int i = 0; i < combo.count(); ++i) out << combo.itemText(i);
+  return out;
+}
+
+}  // namespace
+
+void describe(QWidget* widget, const QString& name, const QString& tip) {
+  widget->setObjectName(name);
+  widget->setToolTip(tip);
+  widget->setAccessibleDescription(tip);
+}
+
+JumpSlider::JumpSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  auto* const style = new JumpStyle;
+  style->setParent(this);
+  setStyle(style);
+  leaveWheelToPanel(this);
+}
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void ElidedLabel::setFullText(const QString& text) {
+  if (text == full_) return;
+  full_ = text;
+  elide();
+}
+
+QSize ElidedLabel::minimumSizeHint() const {
+  return {0, QLabel::minimumSizeHint().height()};
+}
+
+void ElidedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  elide();
+}
+
+void ElidedLabel::elide() {
+  const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width());
+  setText(shown);
+  setToolTip(shown == full_ ? QString() : full_);
+}
+
+void leaveWheelToPanel(QWidget* widget) {
+  widget->setFocusPolicy(Qt::StrongFocus);
+  widget->installEventFilter(new WheelGuard(widget));
+}
+
+void showChoices(QComboBox* combo, const QStringList& choices, const QString& current) {
+  if (combo->view()->isVisible()) return;
+  const QSignalBlocker quiet(combo);
+  if (itemsOf(*combo) != choices) {
+    combo->clear();
+    combo->addItems(choices);
+  }
+  const int index = combo->findText(current);
+  if (index != combo->currentIndex()) combo->setCurrentIndex(index);
+}
+
+void showText(QLineEdit* edit, const QString& text) {
+  if (edit->hasFocus() && edit->isModified()) return;
+  if (edit->text() == text) return;
+  edit->setText(text);  // which also clears "modified"
+}
+
+}  // namespace poinsot::rviz_panel

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QLabel>
+#include <QSlider>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+
+/** Small things that the parts of the panel share. */
+namespace poinsot::rviz_panel {
+
+/** Names a widget for tests and style sheets, and gives it a tooltip and what screen readers say. */
+void describe(QWidget* widget, const QString& name, const QString& tip);
+
+/** A slider whose handle jumps to where one clicks. */
+class JumpSlider : public QSlider {
+  Q_OBJECT
+
+ public:
+  explicit JumpSlider(QWidget* parent = nullptr);
+};
+
+/** A label that never asks for more room than there is: what does not fit is shown as "…", and in full as a tooltip. */
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+  void setFullText(const QString& text);
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void elide();
+  QString full_;
+};
+
+/** Lets the wheel scroll the panel rather than change a widget that does not have the focus. */
+void leaveWheelToPanel(QWidget* widget);
+
+/** Shows these choices, the current one chosen, without a signal. Nothing happens while one of them is being picked. */
+void showChoices(QComboBox* combo, const QStringList& choices, const QString& current);
+
+/** Shows a text unless the user is at it. */
+void showText(QLineEdit* edit, const QString& text);
+
+}  // namespace poinsot::rviz_panel

@@ -1,0 +1,494 @@
+// The panel in RViz, driven by mouse and keyboard as a user does, judged by what anybody hears on the node's topics.
+// Usage: test_panel PANEL.rviz, on a display where nobody else is.
+#include <gtest/gtest.h>
+#include <ros/master.h>
+#include <ros/package.h>
+#include <ros/ros.h>
+#include <rviz/config.h>
+#include <rviz/display_group.h>
+#include <rviz/panel.h>
+#include <rviz/properties/property.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+#include <rviz/visualization_manager.h>
+#include <yaml-cpp/yaml.h>
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTcpServer>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+#include <memory>
+
+#include "hosted_rviz.h"
+#include "node_watcher.h"
+
+namespace {
+
+constexpr double kPatience = 40;  // s, for a machine that is busy
+constexpr double kFrame = 1.0 / 60;
+
+QString view_file;
+std::unique_ptr<Program> master;
+std::unique_ptr<Program> node;
+std::unique_ptr<HostedRviz> shown;
+std::unique_ptr<NodeWatcher> heard;
+
+void startMaster() {
+  const QString port = QString::fromStdString(ros::master::getURI()).section(':', -1).remove('/');
+  master = std::make_unique<Program>("rosmaster", QStringList{"--core", "-p", port});
+}
+
+void startNode() {
+  node = std::make_unique<Program>(
+      NODE, QStringList{"__name:=poinsot", QString("_scene_file:=") + SCENES + "/dzhanibekov.yaml"});
+}
+
+class Panel : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    shown = std::make_unique<HostedRviz>(view_file);
+    heard = std::make_unique<NodeWatcher>("wingnut");
+  }
+  static void TearDownTestSuite() {
+    heard.reset();
+    shown.reset();
+    node.reset();
+  }
+
+  /** Each test begins with the wingnut playing forwards at real time in closed form, except where there is to be no
+   * node. */
+  void SetUp() override {
+    if (!node) startNode();
+    node->thaw();
+    ASSERT_TRUE(until([] { return controls()->isEnabled(); })) << "the panel does not find the node";
+    if (combo("scene")->currentText() != "dzhanibekov") pick("scene", "dzhanibekov");
+    ASSERT_TRUE(until([] { return combo("body")->currentText() == "wingnut"; }));
+    ASSERT_TRUE(until([] { return heard->states > 0; }));
+    if (combo("method")->currentText() != "closed_form") pick("method", "closed_form");
+    press<QPushButton>("reset");
+    ASSERT_TRUE(untilState([](const auto& state) { return std::abs(state.time) < 5; }));
+    if (heard->state.time_rate == 0) press<QPushButton>("play");
+    if (find<QToolButton>("backwards")->isChecked()) press<QToolButton>("backwards");
+    press<QToolButton>("real_time");
+    ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
+    ASSERT_TRUE(until([] { return combo("method")->currentText() == "closed_form"; }));
+  }
+
+  template <typename Widget>
+  static Widget* find(const QString& name) {
+    return shown->find<Widget>(name);
+  }
+  static QWidget* controls() { return find<QWidget>("controls"); }
+  static QComboBox* combo(const QString& name) { return find<QComboBox>(name); }
+  static QString notice() { return find<QLabel>("notice")->text(); }
+
+  static bool until(const std::function<bool()>& condition) {
+    return shown->spinUntil(
+        [&] {
+          heard->hear();
+          return condition();
+        },
+        kPatience);
+  }
+  /** Waits for a state, of those sent from now on, that is as wanted. */
+  static bool untilState(const std::function<bool(const poinsot::BodyState&)>& wanted) {
+    heard->forget();
+    return until([&] { return heard->states > 0 && wanted(heard->state); });
+  }
+  static void spin(double seconds) {
+    shown->spin(seconds);
+    heard->hear();
+  }
+
+  template <typename Widget>
+  static void press(const QString& name) {
+    QTest::mouseClick(find<Widget>(name), Qt::LeftButton);
+  }
+  static void type(const QString& name, const QString& text) {
+    auto* const edit = find<QLineEdit>(name);
+    QTest::mouseClick(edit, Qt::LeftButton);
+    edit->setFocus();
+    QTest::keySequence(edit, QKeySequence::SelectAll);
+    QTest::keyClick(edit, Qt::Key_Delete);
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+  }
+  /** Opens a list and clicks on one of its lines. */
+  static void pick(const QString& name, const QString& text) {
+    QComboBox* const list = combo(name);
+    ASSERT_GE(list->findText(text), 0) << name.toStdString() << " does not offer " << text.toStdString();
+    QTest::mouseClick(list, Qt::LeftButton);
+    spin(2e-3 * QApplication::doubleClickInterval());  // Qt ignores a click that may be the end of the opening one
+    QAbstractItemView* const view = list->view();
+    ASSERT_TRUE(view->isVisible());
+    const QModelIndex line = list->model()->index(list->findText(text), 0);
+    view->scrollTo(line);
+    QTest::mouseMove(view->viewport(), view->visualRect(line).center());
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, view->visualRect(line).center());
+    ASSERT_EQ(list->currentText(), text);
+  }
+  static void pauseIt() {
+    press<QPushButton>("play");
+    ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));
+    ASSERT_TRUE(until([] { return find<QPushButton>("step")->isEnabled(); }));
+  }
+};
+
+TEST_F(Panel, pausesAndPlays) {
+  press<QPushButton>("play");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));
+  const double t = heard->state.time;
+  spin(0.5);
+  EXPECT_EQ(heard->state.time, t);
+  ASSERT_TRUE(until([] { return find<QPushButton>("play")->text().contains("Play"); }));
+  QTest::keyClick(find<QPushButton>("play"), Qt::Key_Space);
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
+  EXPECT_TRUE(until([] { return find<QPushButton>("play")->text().contains("Pause"); }));
+  EXPECT_FALSE(find<QPushButton>("step")->isEnabled()) << "while it plays, there is no step";
+}
+
+TEST_F(Panel, stepsAFrameWhilePaused) {
+  pauseIt();
+  for (int i = 0; i < 3; ++i) {
+    const double t = heard->state.time;
+    press<QPushButton>("step");
+    ASSERT_TRUE(untilState([&](const auto& state) { return state.time > t && state.time_rate == 0; }));
+    EXPECT_NEAR(heard->state.time, t + kFrame, 1e-9);
+  }
+}
+
+TEST_F(Panel, speedIsSetByTheSlider) {
+  auto* const slider = find<QSlider>("speed_slider");
+  QTest::keyClick(slider, Qt::Key_Home);
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time_rate - 0.01) < 1e-12; }));
+  QTest::keyClick(slider, Qt::Key_End);
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time_rate - 100) < 1e-9; }));
+  EXPECT_EQ(find<QLabel>("speed_text")->text(), "×100");
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 3));
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate > 0.05 && state.time_rate < 0.2; }));
+  press<QToolButton>("real_time");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
+}
+
+TEST_F(Panel, playsBackwards) {
+  press<QToolButton>("backwards");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == -1; }));
+  const double t = heard->state.time;
+  ASSERT_TRUE(untilState([&](const auto& state) { return state.time < t - 1; }));
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time < 0; })) << "it plays on before t = 0";
+  QTest::keyClick(find<QSlider>("speed_slider"), Qt::Key_End);
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time_rate + 100) < 1e-9; }));
+  press<QToolButton>("backwards");
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time_rate - 100) < 1e-9; }));
+}
+
+TEST_F(Panel, aSpeedFromElsewhereIsShown) {
+  ros::NodeHandle handle;
+  ros::Publisher speed = handle.advertise<std_msgs::Float64>("/poinsot/speed", 1);
+  ASSERT_TRUE(until([&] { return speed.getNumSubscribers() > 0; }));
+  std_msgs::Float64 message;
+  message.data = -0.1;
+  speed.publish(message);
+  EXPECT_TRUE(until([] { return find<QLabel>("speed_text")->text() == "×−0.1"; }));
+  EXPECT_TRUE(until([] { return find<QToolButton>("backwards")->isChecked(); }));
+}
+
+TEST_F(Panel, seeksWhilePaused) {
+  pauseIt();
+  const unsigned segment = heard->state.segment;
+  auto* const slider = find<QSlider>("time_slider");
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
+  ASSERT_TRUE(untilState([&](const auto& state) { return state.segment > segment; }));
+  EXPECT_NEAR(heard->state.time, 30, 1) << "the middle of a minute";
+  EXPECT_EQ(heard->state.time_rate, 0);
+  EXPECT_EQ(heard->state.attitude_error, 0);
+  QTest::keyClick(slider, Qt::Key_Right);
+  const double t = heard->state.time;
+  EXPECT_TRUE(untilState([&](const auto& state) { return std::abs(state.time - t - 0.3) < 0.05; }));
+}
+
+TEST_F(Panel, seeksWhileItIsDragged) {
+  pauseIt();
+  auto* const slider = find<QSlider>("time_slider");
+  const int y = slider->height() / 2;
+  QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, y));
+  ASSERT_TRUE(untilState([](const auto& state) { return std::abs(state.time - 15) < 1; }))
+      << "before the button is let go";
+  heard->forget();
+  int moves = 0;
+  for (int x = slider->width() / 4; x <= 3 * slider->width() / 4; ++x, ++moves) {
+    QTest::mouseMove(slider, QPoint(x, y));
+    QMouseEvent move(QEvent::MouseMove, QPoint(x, y), Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(slider, &move);
+  }
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time - 45) < 1; })) << "where it was dragged to";
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(3 * slider->width() / 4, y));
+  spin(1);
+  EXPECT_NEAR(heard->state.time, 45, 1) << "and there it stays";
+  EXPECT_EQ(heard->state.time_rate, 0);
+  std::cout << moves << " moves, " << heard->seeks << " seeks after the first\n";
+}
+
+TEST_F(Panel, theSliderFollowsTheTime) {
+  type("time", "57");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time >= 57 && state.time < 60; }));
+  auto* const slider = find<QSlider>("time_slider");
+  EXPECT_TRUE(until([&] { return slider->value() > 0.94 * slider->maximum(); }));
+  EXPECT_TRUE(until([&] { return slider->value() < 0.1 * slider->maximum(); })) << "beyond its end it turns the page";
+  EXPECT_EQ(find<QLabel>("page_from")->text(), "60 s");
+}
+
+TEST_F(Panel, seeksToATimeThatIsTyped) {
+  pauseIt();
+  type("time", "1e9");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time == 1e9; }));
+  type("time", "-12,5");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time == -12.5; }));
+  heard->forget();
+  type("time", "soon");
+  EXPECT_TRUE(until([] { return notice().contains("soon"); }));
+  spin(0.5);
+  EXPECT_EQ(heard->seeks, 0);
+  EXPECT_EQ(heard->state.time, -12.5);
+}
+
+TEST_F(Panel, negativeTimesAreOnTheSlider) {
+  pauseIt();
+  press<QToolButton>("both_sides");
+  auto* const slider = find<QSlider>("time_slider");
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
+  EXPECT_TRUE(untilState([](const auto& state) { return std::abs(state.time + 30) < 2; }));
+  press<QToolButton>("both_sides");
+}
+
+TEST_F(Panel, resets) {
+  type("time", "1000");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time >= 1000; }));
+  press<QPushButton>("reset");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time >= 0 && state.time < 30; }));
+  EXPECT_EQ(heard->state.time_rate, 1);
+}
+
+TEST_F(Panel, aMethodThatDriftsIsSeenToDrift) {
+  EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "0 rad"; }));
+  pick("method", "lie_euler");
+  ASSERT_TRUE(until([] { return heard->description.method == "lie_euler"; }));
+  ASSERT_TRUE(untilState([](const auto& state) { return state.attitude_error > 0; }));
+  const double error = heard->state.attitude_error;
+  const double drift = std::abs(heard->state.energy_drift);
+  type("time", "40");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time >= 40 && state.time_rate == 1; }));
+  EXPECT_TRUE(untilState([&](const auto& state) { return state.attitude_error > 2 * error; }));
+  std::cout << "error " << error << " -> " << heard->state.attitude_error << ", drift " << drift << " -> "
+            << heard->state.energy_drift << "\n";
+  EXPECT_TRUE(until([] {
+    const QString text = find<QLabel>("attitude_error")->text();
+    return text.endsWith(" rad") && text != "0 rad";
+  }));
+  EXPECT_TRUE(until([] { return find<QLineEdit>("method_step")->isEnabled(); }));
+  spin(3);
+  shown->picture("panel_lie_euler");
+  pick("method", "closed_form");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.attitude_error == 0; }));
+}
+
+TEST_F(Panel, aStepIsSetOrRefused) {
+  pick("method", "rk4");
+  ASSERT_TRUE(until([] { return heard->description.method == "rk4" && find<QLineEdit>("method_step")->isEnabled(); }));
+  spin(1);
+  type("method_step", "2.5");
+  ASSERT_TRUE(until([] { return std::abs(heard->description.step - 0.0025) < 1e-15; }));
+  spin(1);
+  for (const char* bad : {"much", "-1", "0", "nan"}) {
+    type("method_step", bad);
+    EXPECT_TRUE(until([&] { return notice().contains(bad); })) << bad << ": " << notice().toStdString();
+    spin(1);
+    EXPECT_NEAR(heard->description.step, 0.0025, 1e-15) << bad;
+  }
+  const QString before = notice();
+  type("method_step", "1e7");  // what the node has to judge: it could not follow the body at all
+  EXPECT_TRUE(until([&] { return notice() != before && notice().contains("rk4"); })) << notice().toStdString();
+  std::cout << notice().toStdString() << "\n";
+  spin(1);
+  EXPECT_NEAR(heard->description.step, 0.0025, 1e-15);
+  EXPECT_TRUE(until([] { return find<QLineEdit>("method_step")->text() == "2.5"; }))
+      << "what is in force is shown again";
+  type("method_step", "");
+  EXPECT_TRUE(until([] { return std::abs(heard->description.step - 0.0025) > 1e-9; })) << "chosen by the node";
+}
+
+TEST_F(Panel, theSceneChangesWhilePlaying) {
+  YAML::Node scene = YAML::LoadFile(std::string(SCENES) + "/regimes.yaml");
+  NodeWatcher other(scene["bodies"][0]["name"].as<std::string>());
+  pick("scene", "regimes");
+  ASSERT_TRUE(until([&] {
+    other.hear();
+    return other.states > 0;
+  }));
+  EXPECT_EQ(other.state.time_rate, 1);
+  ASSERT_TRUE(until([&] { return combo("body")->count() == static_cast<int>(scene["bodies"].size()); }));
+  EXPECT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); }));
+  // The views of that scene are loaded with it.
+  const YAML::Node file = YAML::LoadFile(ros::package::getPath("poinsot") + "/rviz/regimes.rviz");
+  const double distance = file["Visualization Manager"]["Views"]["Current"]["Distance"].as<double>();
+  rviz::ViewManager* const views = shown->frame().getManager()->getViewManager();
+  EXPECT_TRUE(until([&] {
+    return std::abs(views->getCurrent()->subProp("Distance")->getValue().toDouble() - distance) < 1e-3;
+  })) << views->getCurrent()->subProp("Distance")->getValue().toDouble();
+  // A step belongs to the new scene's body; the other body can be looked at.
+  pick("body", combo("body")->itemText(1));
+  EXPECT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); }));
+  spin(2);
+  shown->picture("panel_regimes");
+}
+
+TEST_F(Panel, torquesAreCalledByTheirName) {
+  pick("scene", "damped_tumble");
+  EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "no closed form under torque"; }));
+  EXPECT_FALSE(find<QLabel>("flips")->text().contains("nan", Qt::CaseInsensitive));
+  spin(2);
+  shown->picture("panel_torque");
+}
+
+TEST_F(Panel, theNodeLearnsWhereTheEyeIs) {
+  rviz::ViewManager* const views = shown->frame().getManager()->getViewManager();
+  rviz::Config config;
+  views->save(config);
+  ASSERT_TRUE(until([] { return shown->frame().findChild<QPushButton*>("view_0") != nullptr; }));
+  heard->forget();
+  views->getCurrent()->subProp("Target Frame")->setValue("<Fixed Frame>");
+  for (const char* angle : {"Yaw", "Pitch"}) views->getCurrent()->subProp(angle)->setValue(0);
+  for (const char* axis : {"X", "Y", "Z"}) views->getCurrent()->subProp("Focal Point")->subProp(axis)->setValue(0);
+  for (const double distance : {7.0, 3.0}) {
+    views->getCurrent()->subProp("Distance")->setValue(distance);
+    EXPECT_TRUE(until([&] {
+      const auto& eye = heard->viewpoint;
+      return heard->viewpoints > 0 && std::abs(eye.point.x - distance) < 1e-4 && std::abs(eye.point.y) < 1e-4 &&
+             std::abs(eye.point.z) < 1e-4 && eye.header.frame_id == "world";
+    })) << heard->viewpoint;
+  }
+  spin(0.5);
+  heard->forget();
+  spin(1);
+  EXPECT_EQ(heard->viewpoints, 0) << "nothing is sent while the camera rests";
+  press<QPushButton>("view_0");
+  EXPECT_TRUE(until([] { return heard->viewpoints > 0; })) << "a saved view is another place";
+}
+
+TEST_F(Panel, theBackgroundIsLightOrDark) {
+  rviz::Property* const colour =
+      shown->frame().getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color");
+  auto* const light = find<QCheckBox>("light_background");
+  ASSERT_FALSE(light->isChecked());
+  QTest::keyClick(light, Qt::Key_Space);
+  EXPECT_EQ(colour->getValue().value<QColor>(), QColor(236, 239, 244));
+  QTest::keyClick(light, Qt::Key_Space);
+  EXPECT_EQ(colour->getValue().value<QColor>(), QColor(24, 28, 36));
+  colour->setValue(QColor(255, 255, 255));
+  EXPECT_TRUE(light->isChecked());
+  colour->setValue(QColor(24, 28, 36));
+}
+
+TEST_F(Panel, theNodesNameIsASetting) {
+  auto* const panel = find<rviz::Panel>("poinsot_panel");
+  type("node", "/elsewhere");
+  EXPECT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  EXPECT_TRUE(find<QLabel>("banner")->text().contains("/elsewhere"));
+  EXPECT_FALSE(controls()->isEnabled());
+  rviz::Config config;
+  panel->save(config);
+  QString saved;
+  ASSERT_TRUE(config.mapGetString("Node", &saved));
+  EXPECT_EQ(saved, "/elsewhere");
+  type("node", "no name");
+  EXPECT_TRUE(until([] { return notice().contains("no name"); }));
+  config.mapSetValue("Node", "/poinsot");
+  panel->load(config);
+  EXPECT_TRUE(until([] { return controls()->isEnabled(); }));
+  EXPECT_EQ(find<QLineEdit>("node")->text(), "/poinsot");
+}
+
+TEST_F(Panel, aNodeThatDiesIsMissedAndOneThatComesBackIsFound) {
+  for (int round = 0; round < 2; ++round) {
+    node->kill();
+    ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+    EXPECT_FALSE(controls()->isEnabled());
+    EXPECT_TRUE(find<QLabel>("banner")->text().contains("/poinsot"));
+    EXPECT_TRUE(find<QLabel>("banner")->text().contains("roslaunch poinsot demo.launch"));
+    EXPECT_EQ(find<QLabel>("energy")->text(), "–");
+    for (const char* name : {"play", "reset", "step"}) EXPECT_FALSE(find<QPushButton>(name)->isEnabled()) << name;
+    spin(1);
+    if (round == 0) shown->picture("panel_no_node");
+    startNode();
+    ASSERT_TRUE(until([] { return controls()->isEnabled() && !find<QLabel>("banner")->isVisible(); }));
+    press<QPushButton>("play");
+    ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));
+    press<QToolButton>("backwards");
+    ASSERT_TRUE(until([] { return find<QPushButton>("play")->text().contains("Play"); }));
+    press<QPushButton>("play");
+    ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == -1; }));
+  }
+}
+
+// A stopped node stays connected and answers nothing: were anything here to wait for it, this would not come back.
+TEST_F(Panel, aNodeThatHangsDoesNotHangRviz) {
+  node->freeze();
+  press<QPushButton>("play");
+  press<QPushButton>("reset");
+  EXPECT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  EXPECT_FALSE(controls()->isEnabled());
+  node->thaw();
+  EXPECT_TRUE(until([] { return controls()->isEnabled() && !find<QLabel>("banner")->isVisible(); }));
+  ASSERT_TRUE(until([] { return heard->states > 0; }));
+  spin(1);
+  const bool paused = heard->state.time_rate == 0;
+  press<QPushButton>("play");
+  EXPECT_TRUE(untilState([&](const auto& state) { return (state.time_rate == 0) != paused; }));
+}
+
+TEST_F(Panel, zAMasterThatIsRestartedIsFoundAgain) {
+  node->kill();
+  master->kill();
+  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  spin(5);
+  startMaster();
+  startNode();
+  EXPECT_TRUE(until([] { return controls()->isEnabled() && !find<QLabel>("banner")->isVisible(); }));
+  heard = std::make_unique<NodeWatcher>("wingnut");  // the old one hears nothing, as everybody's subscriptions
+  ASSERT_TRUE(until([] { return heard->states > 0; }));
+  press<QPushButton>("play");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (argc < 2) {
+    std::cerr << "usage: test_panel PANEL.rviz\n";
+    return 2;
+  }
+  view_file = argv[1];
+  QApplication application(argc, argv);
+  {
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    qputenv("ROS_MASTER_URI", QString("http://127.0.0.1:%1").arg(server.serverPort()).toLatin1());
+    qputenv("ROS_IP", "127.0.0.1");
+    qunsetenv("ROS_HOSTNAME");
+  }
+  ros::init(argc, argv, "test_panel");
+  startMaster();
+  const ros::NodeHandle handle;  // waits for the master; nobody but RViz may call its callbacks: no spinner
+  const int result = RUN_ALL_TESTS();
+  master.reset();
+  return result;
+}
