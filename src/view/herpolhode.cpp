@@ -13,6 +13,7 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr int kPiecesPerTurn = 8;        // at least, of the body about L: from there on pieces are halved
 constexpr int kPiecesPerHalfPeriod = 8;  // at least
 constexpr int kMostHalvings = 12;
+constexpr double kProbe = 0.23;  // beside the middle, through which a chord across a bend may pass
 
 /** Where the tip of ω is. */
 class Tip {
@@ -70,7 +71,9 @@ class Spread {
   void halve(double a, const Eigen::Vector3d& at_a, double b, const Eigen::Vector3d& at_b, int left) {
     const double middle = a + (b - a) / 2;
     const Eigen::Vector3d at_middle = tip_(middle);
-    if (left == 0 || times_.size() >= most_ || distanceToChord(at_middle, at_a, at_b) <= tolerance_) {
+    if (left == 0 || times_.size() >= most_ ||
+        (distanceToChord(at_middle, at_a, at_b) <= tolerance_ &&
+         distanceToChord(tip_(a + kProbe * (b - a)), at_a, at_b) <= tolerance_)) {
       times_.push_back(b);
       return;
     }
@@ -88,8 +91,12 @@ bool isCircle(const Herpolhode& h, double tolerance) {
   return h.outer - h.inner <= tolerance;
 }
 
-void drawCircle(const Tip& tip, double turn_time, int points, Herpolhode& out) {
-  for (int i = 0; i < points; ++i) out.curve.points.push_back(tip(out.start + turn_time * i / points));
+/** Through the outermost tip. */
+void drawCircle(const Tip& tip, const InvariablePlane& plane, int points, Herpolhode& out) {
+  const Eigen::Vector3d first = tip(out.start);
+  for (int i = 0; i < points; ++i) {
+    out.curve.points.push_back(Eigen::AngleAxisd(kTurn * i / points, plane.normal) * first);
+  }
   out.curve.closed = true;
 }
 
@@ -155,7 +162,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   if (isCircle(out, stray)) {
     // An n-gon's sides stray by r(1 − cos π/n).
     const double wanted = 3.15 * std::sqrt(out.outer / (2 * stray));
-    drawCircle(tip, turn_time, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);
+    drawCircle(tip, plane, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);
     return out;
   }
 
