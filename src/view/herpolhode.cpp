@@ -24,12 +24,20 @@ class Tip {
     const ClosedForm::State state = motion_.at(t);
     return state.attitude * state.omega_body;
   }
-  double radius(double t) const {
-    const Eigen::Vector3d omega = (*this)(t);
-    return (omega - omega.dot(plane_.normal) * plane_.normal).norm();
+  double radius(double t) const { return onPlane(t).norm(); }
+  /** From the tip at one time to that at another, about L; −π … π. */
+  double angle(double from, double to) const {
+    const Eigen::Vector3d a = onPlane(from), b = onPlane(to);
+    return std::atan2(a.cross(b).dot(plane_.normal), a.dot(b));
   }
 
  private:
+  /** From the plane's centre. */
+  Eigen::Vector3d onPlane(double t) const {
+    const Eigen::Vector3d omega = (*this)(t);
+    return omega - omega.dot(plane_.normal) * plane_.normal;
+  }
+
   const ClosedForm& motion_;
   const InvariablePlane& plane_;
 };
@@ -173,8 +181,9 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
       spread.add(out.start, out.start + half, std::min(turn_time / kPiecesPerTurn, half / kPiecesPerHalfPeriod));
   const std::vector<double>& times = spread.times();
   const int fit = whole ? static_cast<int>((most - 1) / times.size()) : 1;
-  const int closing =
-      halfPeriodsToClose(motion.montgomeryAngle() / 2, out.outer, stray, std::min(fit, most_half_periods));
+  // Whether it is half of Montgomery's angle or half a turn more: seen from where the tip is then.
+  const double angle = tip.angle(out.start, out.start + half);
+  const int closing = halfPeriodsToClose(angle, out.outer, stray, std::min(fit, most_half_periods));
   const int count = closing > 0 ? closing : std::max(1, std::min(fit, most_half_periods));
   // Every half period is the same, turned about L.
   for (int k = 0; k < count; ++k) {
