@@ -55,6 +55,7 @@ constexpr std::size_t kPiecePoints = 256;  // 16384 together
 constexpr double kPathTolerance = 0.002;   // m
 constexpr double kPathSpacing = 0.2;       // m, at most
 const ros::Duration kPathPause(0.25);
+constexpr int kStillCurvePoints = 128;
 constexpr int kMovingCurvePoints = 96;    // of curves that are sent again and again:
 const ros::Duration kCurvesPause(0.25);   // that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
@@ -197,7 +198,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       may_flip_(closed_form_ && view::flipsOf(*closed_form_, 0, 1).flips),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
-      polhode_(view::polhode(inertia_.moments(), omega_principal_)),
+      polhode_(view::polhode(inertia_.moments(), omega_principal_, kStillCurvePoints)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
       trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
       path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
@@ -233,7 +234,8 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   appendTitles(out);
   if (effects_) effects_->appendStatic(out);
   if (torqued_ || atRest()) return;  // nothing more that stands still
-  const std::vector<view::Curve> separatrix = view::separatrix(inertia_.moments(), start_.kinetic_energy);
+  const std::vector<view::Curve> separatrix =
+      view::separatrix(inertia_.moments(), start_.kinetic_energy, kStillCurvePoints);
   for (const Picture& picture : pictures()) {
     appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
     appendCurves(picture, polhode_, separatrix, out);

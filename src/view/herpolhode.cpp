@@ -13,6 +13,7 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr int kPiecesPerTurn = 8;        // at least, of the body about L: from there on pieces are halved
 constexpr int kPiecesPerHalfPeriod = 8;  // at least
 constexpr int kMostHalvings = 12;
+constexpr double kProbe = 0.23;  // beside the middle, through which a chord across a bend may pass
 
 /** Where the tip of ω is. */
 class Tip {
@@ -23,12 +24,20 @@ class Tip {
     const ClosedForm::State state = motion_.at(t);
     return state.attitude * state.omega_body;
   }
-  double radius(double t) const {
-    const Eigen::Vector3d omega = (*this)(t);
-    return (omega - omega.dot(plane_.normal) * plane_.normal).norm();
+  double radius(double t) const { return onPlane(t).norm(); }
+  /** From the tip at one time to that at another, about L; −π … π. */
+  double angle(double from, double to) const {
+    const Eigen::Vector3d a = onPlane(from), b = onPlane(to);
+    return std::atan2(a.cross(b).dot(plane_.normal), a.dot(b));
   }
 
  private:
+  /** From the plane's centre. */
+  Eigen::Vector3d onPlane(double t) const {
+    const Eigen::Vector3d omega = (*this)(t);
+    return omega - omega.dot(plane_.normal) * plane_.normal;
+  }
+
   const ClosedForm& motion_;
   const InvariablePlane& plane_;
 };
@@ -70,7 +79,9 @@ class Spread {
   void halve(double a, const Eigen::Vector3d& at_a, double b, const Eigen::Vector3d& at_b, int left) {
     const double middle = a + (b - a) / 2;
     const Eigen::Vector3d at_middle = tip_(middle);
-    if (left == 0 || times_.size() >= most_ || distanceToChord(at_middle, at_a, at_b) <= tolerance_) {
+    if (left == 0 || times_.size() >= most_ ||
+        (distanceToChord(at_middle, at_a, at_b) <= tolerance_ &&
+         distanceToChord(tip_(a + kProbe * (b - a)), at_a, at_b) <= tolerance_)) {
       times_.push_back(b);
       return;
     }
@@ -88,8 +99,12 @@ bool isCircle(const Herpolhode& h, double tolerance) {
   return h.outer - h.inner <= tolerance;
 }
 
-void drawCircle(const Tip& tip, double turn_time, int points, Herpolhode& out) {
-  for (int i = 0; i < points; ++i) out.curve.points.push_back(tip(out.start + turn_time * i / points));
+/** Through the outermost tip. */
+void drawCircle(const Tip& tip, const InvariablePlane& plane, int points, Herpolhode& out) {
+  const Eigen::Vector3d first = tip(out.start);
+  for (int i = 0; i < points; ++i) {
+    out.curve.points.push_back(Eigen::AngleAxisd(kTurn * i / points, plane.normal) * first);
+  }
   out.curve.closed = true;
 }
 
@@ -155,7 +170,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   if (isCircle(out, stray)) {
     // An n-gon's sides stray by r(1 − cos π/n).
     const double wanted = 3.15 * std::sqrt(out.outer / (2 * stray));
-    drawCircle(tip, turn_time, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);
+    drawCircle(tip, plane, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);
     return out;
   }
 
@@ -166,8 +181,9 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
       spread.add(out.start, out.start + half, std::min(turn_time / kPiecesPerTurn, half / kPiecesPerHalfPeriod));
   const std::vector<double>& times = spread.times();
   const int fit = whole ? static_cast<int>((most - 1) / times.size()) : 1;
-  const int closing =
-      halfPeriodsToClose(motion.montgomeryAngle() / 2, out.outer, stray, std::min(fit, most_half_periods));
+  // Whether it is half of Montgomery's angle or half a turn more: seen from where the tip is then.
+  const double angle = tip.angle(out.start, out.start + half);
+  const int closing = halfPeriodsToClose(angle, out.outer, stray, std::min(fit, most_half_periods));
   const int count = closing > 0 ? closing : std::max(1, std::min(fit, most_half_periods));
   // Every half period is the same, turned about L.
   for (int k = 0; k < count; ++k) {

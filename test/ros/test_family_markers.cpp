@@ -11,7 +11,9 @@ std::vector<std::vector<Vector3d>> polygonsOf(const Marker& lines) {
   std::vector<std::vector<Vector3d>> out;
   for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2) {
     const Vector3d a = placed(lines, i), b = placed(lines, i + 1);
-    if (out.empty() || (out.back().back() - a).norm() > 1e-12) out.push_back({a});
+    const bool closed =
+        !out.empty() && out.back().size() > 2 && (out.back().front() - out.back().back()).norm() < 1e-12;
+    if (out.empty() || closed || (out.back().back() - a).norm() > 1e-12) out.push_back({a});
     out.back().push_back(b);
   }
   for (const auto& polygon : out) EXPECT_LT((polygon.front() - polygon.back()).norm(), 1e-12);

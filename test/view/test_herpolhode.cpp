@@ -75,6 +75,9 @@ TEST(Herpolhode, liesOnThePlaneInItsAnnulusAndTheTipOfOmegaFollowsIt) {
     EXPECT_NEAR(radiusOf(points.front(), plane), h.outer, 1e-12 * plane.longest);
     EXPECT_NEAR((motion.at(h.start).attitude * motion.at(h.start).omega_body - points.front()).norm(), 0,
                 1e-12 * plane.longest);
+    if (h.curve.closed && h.outer - h.inner > 2e-3 * plane.longest) {
+      EXPECT_LT((points.back() - points.front()).norm(), 0.5 * h.outer);  // no chord across
+    }
     // All of the first half period is near the line.
     for (int k = 0; k <= 500; ++k) {
       const ClosedForm::State s = motion.at(h.start + motion.period() / 2 * k / 500);
@@ -106,21 +109,24 @@ TEST(Herpolhode, isACircleOfASymmetricBody) {
 }
 
 TEST(Herpolhode, isClosedWhereItComesBack) {
-  // Ω₁ such that half a period turns the body by a whole number of thirds of a turn.
-  const auto angle = [](double o1) {
-    return std::remainder(3 * ClosedForm({1, 2, 3}, kTilted, {o1, 1, 1}).montgomeryAngle() / 2 - 2 * M_PI * 1e-9,
-                          2 * M_PI);
-  };
+  // Ω₁ such that three periods turn the body by whole turns.
+  const auto motion = [](double o1) { return ClosedForm({1, 2, 3}, kTilted, {o1, 1, 1}); };
+  const auto off = [&](double o1) { return std::remainder(3 * motion(o1).montgomeryAngle(), 2 * M_PI); };
   double low = 0.1, high = 0.1;
-  while (angle(low) * angle(high) >= 0 || std::abs(angle(high) - angle(low)) > 1) {
+  while (off(low) * off(high) >= 0 || std::abs(off(high) - off(low)) > 1) {
     low = high;
     high += 0.01;
     ASSERT_LT(high, 1.6);
   }
-  for (int i = 0; i < 60; ++i) (angle((low + high) / 2) * angle(low) > 0 ? low : high) = (low + high) / 2;
-  const Herpolhode h = herpolhode(ClosedForm({1, 2, 3}, kTilted, {low, 1, 1}));
+  const double apart = high;
+  for (int i = 0; i < 60; ++i) (off((low + high) / 2) * off(low) > 0 ? low : high) = (low + high) / 2;
+  const Herpolhode h = herpolhode(motion(low));
   EXPECT_TRUE(h.curve.closed);
-  EXPECT_FALSE(herpolhode(ClosedForm({1, 2, 3}, kTilted, {low + 0.01, 1, 1})).curve.closed);
+  const auto& points = h.curve.points;
+  double longest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) longest = std::max(longest, (points[i] - points[i - 1]).norm());
+  EXPECT_LT((points.back() - points.front()).norm(), longest + 2e-3);
+  EXPECT_FALSE(herpolhode(motion(apart + 0.03)).curve.closed);
 }
 
 TEST(Herpolhode, onTheSeparatrixGoesFromTheCentreAndBackToIt) {
