@@ -261,7 +261,7 @@ void Panel::showNotice() {
   } else if (link_->alive() && link_->waiting()) {
     text = "Waiting for the node to answer …";
   } else if (!busy_.isEmpty()) {
-    text = busy_ + " …";
+    text = "Working out: " + busy_ + " …";
   } else if (!refused_.isEmpty()) {
     text = refused_;
     trouble = true;

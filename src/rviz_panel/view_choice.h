@@ -9,7 +9,7 @@ class QGridLayout;
 class QLabel;
 
 namespace rviz {
-class Property;
+class ColorProperty;
 class VisualizationManager;
 }  // namespace rviz
 
@@ -29,7 +29,7 @@ class ViewChoice : public QWidget {
  private:
   void listViews();
   void take(int index);
-  rviz::Property* background() const;
+  rviz::ColorProperty* background() const;
   void showBackground();
 
   rviz::VisualizationManager* manager_ = nullptr;
