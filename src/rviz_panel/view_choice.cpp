@@ -39,7 +39,6 @@ ViewChoice::ViewChoice(QWidget* parent) : QWidget(parent) {
   describe(light_, "light_background", "For paper and bright rooms.");
   layout->addWidget(title_, 0, 0, Qt::AlignTop);
   layout->addLayout(buttons_, 0, 1);
-  layout->addWidget(light_, 1, 1);
   layout->setColumnStretch(1, 1);
   title_->hide();
 
@@ -56,6 +55,10 @@ void ViewChoice::setManager(rviz::VisualizationManager* manager) {
   if (colour) connect(colour, &rviz::Property::changed, this, &ViewChoice::showBackground);
   showBackground();
   timer_.start(kLookEvery);
+}
+
+QWidget* ViewChoice::light() const {
+  return light_;
 }
 
 rviz::ColorProperty* ViewChoice::background() const {

@@ -23,6 +23,9 @@ class ViewChoice : public QWidget {
   explicit ViewChoice(QWidget* parent = nullptr);
   void setManager(rviz::VisualizationManager* manager);
 
+  /** Dark or light; for whoever has room for it. */
+  QWidget* light() const;
+
   /** Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. */
   void loadViewsOf(const QString& scene);
 

@@ -460,14 +460,16 @@ TEST_F(Panel, aNodeThatHangsDoesNotHangRviz) {
 }
 
 TEST_F(Panel, zAMasterThatIsRestartedIsFoundAgain) {
+  heard.reset();  // it would hear nothing any more, and keep others of this process from subscribing anew
   node->kill();
   master->kill();
-  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
-  spin(5);
+  const auto lost = [] { return find<QLabel>("banner")->isVisible(); };
+  ASSERT_TRUE(shown->spinUntil(lost, kPatience));
+  shown->spin(5);
   startMaster();
   startNode();
-  EXPECT_TRUE(until([] { return controls()->isEnabled() && !find<QLabel>("banner")->isVisible(); }));
-  heard = std::make_unique<NodeWatcher>("wingnut");  // the old one hears nothing, as everybody's subscriptions
+  EXPECT_TRUE(shown->spinUntil([&] { return controls()->isEnabled() && !lost(); }, kPatience));
+  heard = std::make_unique<NodeWatcher>("wingnut");
   ASSERT_TRUE(until([] { return heard->states > 0; }));
   press<QPushButton>("play");
   EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));
