@@ -107,7 +107,8 @@ void MethodChoice::showStatus(const NodeStatus& status) {
   step_->setEnabled(steps);
   step_label_->setEnabled(steps);
   if (!shown) return;
-  if (since_asked_.isValid() && !since_asked_.hasExpired(kHoldOff)) return;
+  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || !status.busy.empty())) return;
+  since_asked_.invalidate();
   QStringList methods;
   for (const std::string& method : shown->methods) methods << QString::fromStdString(method);
   const QString method = QString::fromStdString(shown->method);

@@ -95,10 +95,11 @@ void Panel::build() {
   describe(node_, "node", "The name of the Poinsot node to lead; press Enter. Kept in the .rviz file.");
   node_label->setBuddy(node_);
   node_row->addWidget(node_label);
-  node_row->addWidget(node_);
+  node_row->addWidget(node_, 1);
 
   layout->addWidget(controls_);
   layout->addWidget(line());
+  node_row->addWidget(views_->light(), 0);
   layout->addWidget(views_);
   layout->addLayout(node_row);
   layout->addStretch();
@@ -261,14 +262,13 @@ void Panel::showNotice() {
   } else if (link_->alive() && link_->waiting()) {
     text = "Waiting for the node to answer …";
   } else if (!busy_.isEmpty()) {
-    text = busy_ + " …";
+    text = "Working out: " + busy_ + " …";
   } else if (!refused_.isEmpty()) {
     text = refused_;
     trouble = true;
   } else {
     text = link_->alive() ? "Ready." : "Looking for the node …";
   }
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
   if (notice_->text() == text) return;
   notice_->setText(text);
   QPalette palette = this->palette();

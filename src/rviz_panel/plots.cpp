@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kWindow = 20;    // s of stamps
 constexpr int kCapacity = 4000;   // samples
-constexpr int kHeight = 120;      // pixels of each plot
+constexpr int kHeight = 116;      // pixels of each plot
 constexpr double kFloor = 1e-17;  // of the log scale; 0 is drawn there
 constexpr double kLowestTop = 1e-11;
 constexpr double kRoom = 0.02;     // of the span shown

@@ -37,8 +37,8 @@ ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
   grid_->setVerticalSpacing(2);
-  grid_->setColumnStretch(1, 5);
-  grid_->setColumnStretch(2, 4);
+  grid_->setColumnStretch(1, 1);
+  grid_->setColumnStretch(2, 1);
 
   const QString drift = "Relative, since the segment began: since the last seek, reset or change of method.";
   energy_ = addRow(dot(colours::kEnergy) + "energy", "energy", "E = ½ ΩᵀMΩ, of rotation.");
@@ -107,7 +107,7 @@ void ReadOuts::showState(const BodyState& state) {
   setText(energy_, text::withPrefix(state.kinetic_energy, "J", 5));
   setText(momentum_, text::withPrefix(norm(state.momentum_world), "N·m·s", 5));
   const bool free = !std::isnan(state.attitude_error);
-  const QString word = free ? "drift " : "change ";
+  const QString word = free ? "drift " : "Δ ";
   setText(energy_drift_, word + text::small(state.energy_drift));
   setText(momentum_drift_, word + text::small(state.momentum_drift));
   setText(attitude_error_, free ? text::small(state.attitude_error) + " rad" : "no closed form under torque");

@@ -12,7 +12,7 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kHoldOff = 1500;  // ms
+constexpr int kHoldOff = 700;  // ms
 
 }  // namespace
 
@@ -50,7 +50,8 @@ void SceneChoice::open() {
 
 void SceneChoice::showStatus(const NodeStatus& status) {
   file_ = QString::fromStdString(status.scene_file);
-  if (since_asked_.isValid() && !since_asked_.hasExpired(kHoldOff)) return;
+  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || !status.busy.empty())) return;
+  since_asked_.invalidate();
   QStringList scenes;
   for (const std::string& scene : status.scenes) scenes << QString::fromStdString(scene);
   present_ = QString::fromStdString(status.scene);

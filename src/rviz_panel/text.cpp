@@ -51,7 +51,10 @@ QString withPrefix(double value, const QString& unit, int digits) {
 
 QString small(double value) {
   if (std::isnan(value)) return "–";
-  return value == 0 ? QString("0") : withMinus(QString::number(value, 'e', 1));
+  if (std::abs(value) >= 1e-3 && std::abs(value) < 1e4) return plain(value, 3);
+  const QString number = QString::number(value, 'e', 1);
+  const int e = number.indexOf('e');
+  return value == 0 ? QString("0") : withMinus(number.left(e + 1) + QString::number(number.mid(e + 1).toInt()));
 }
 
 QString speed(double value) {

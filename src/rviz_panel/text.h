@@ -17,7 +17,7 @@ double number(const QString& text, bool* ok);
 /** With an SI prefix: "1.3 µs", "4.53 kJ"; "0 J". `unit` follows it. */
 QString withPrefix(double value, const QString& unit, int digits = 3);
 
-/** "1.2e-16"; "0". */
+/** "1.2e−16", "0.0123"; "0". */
 QString small(double value);
 
 /** "×2", "×0.05", "×−1". */

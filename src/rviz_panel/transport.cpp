@@ -68,7 +68,7 @@ void Transport::buildButtons() {
   for (QPushButton* button : {reset_, play_, step_}) row->addWidget(button, button == play_ ? 3 : 2);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 
-  connect(play_, &QPushButton::clicked, this, [this] { Q_EMIT pauseAsked(!paused_); });
+  connect(play_, &QPushButton::clicked, this, &Transport::askPause);
   connect(step_, &QPushButton::clicked, this, &Transport::stepAsked);
   connect(reset_, &QPushButton::clicked, this, [this] {
     since_seek_.invalidate();
@@ -180,6 +180,12 @@ void Transport::buildSpeed() {
   });
 }
 
+void Transport::askPause() {
+  since_pause_.start();
+  showPaused(!paused_);
+  Q_EMIT pauseAsked(paused_);
+}
+
 void Transport::askSpeed() {
   since_speed_.start();
   const double speed = (backwards_->isChecked() ? -1 : 1) * speed_scale::speedAt(speed_slider_->value());
@@ -254,13 +260,16 @@ void Transport::showSpeed(double speed) {
   speed_text_->setText(text::speed(speed));
 }
 
+void Transport::showPaused(bool paused) {
+  step_->setEnabled(paused);
+  if (paused == paused_) return;
+  paused_ = paused;
+  play_->setIcon(style()->standardIcon(paused ? QStyle::SP_MediaPlay : QStyle::SP_MediaPause));
+  play_->setText(paused ? "&Play" : "&Pause");
+}
+
 void Transport::showStatus(const NodeStatus& status) {
-  if (paused_ != static_cast<bool>(status.paused)) {
-    paused_ = status.paused;
-    play_->setIcon(style()->standardIcon(paused_ ? QStyle::SP_MediaPlay : QStyle::SP_MediaPause));
-    play_->setText(paused_ ? "&Play" : "&Pause");
-  }
-  step_->setEnabled(paused_);
+  if (!recent(since_pause_)) showPaused(status.paused);
   showTime(status.time);
   if (speed_slider_->isSliderDown() || recent(since_speed_)) return;
   const QSignalBlocker quiet(speed_slider_);

@@ -45,11 +45,13 @@ class Transport : public QWidget {
   void buildButtons();
   void buildTime();
   void buildSpeed();
+  void askPause();
   void askSpeed();
   void seekToSlider();
   void seekToText();
   void newPage();
   void showPage();
+  void showPaused(bool paused);
   void showSpeed(double speed);
 
   QPushButton* play_;
@@ -70,6 +72,7 @@ class Transport : public QWidget {
   double now_ = 0;
   bool paused_ = false;
   // What the user has just set is not overwritten by a status from before it.
+  QElapsedTimer since_pause_;
   QElapsedTimer since_seek_;
   QElapsedTimer since_speed_;
 };

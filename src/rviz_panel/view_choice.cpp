@@ -3,7 +3,7 @@
 #include <ros/package.h>
 #include <rviz/config.h>
 #include <rviz/display_group.h>
-#include <rviz/properties/property.h>
+#include <rviz/properties/color_property.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
@@ -39,34 +39,37 @@ ViewChoice::ViewChoice(QWidget* parent) : QWidget(parent) {
   describe(light_, "light_background", "For paper and bright rooms.");
   layout->addWidget(title_, 0, 0, Qt::AlignTop);
   layout->addLayout(buttons_, 0, 1);
-  layout->addWidget(light_, 1, 1);
   layout->setColumnStretch(1, 1);
   title_->hide();
 
   connect(light_, &QCheckBox::clicked, this, [this](bool on) {
-    rviz::Property* const colour = background();
-    if (colour) colour->setValue(on ? colours::kLightBackground : colours::kDarkBackground);
+    rviz::ColorProperty* const colour = background();
+    if (colour) colour->setColor(on ? colours::kLightBackground : colours::kDarkBackground);
   });
   connect(&timer_, &QTimer::timeout, this, &ViewChoice::listViews);
 }
 
 void ViewChoice::setManager(rviz::VisualizationManager* manager) {
   manager_ = manager;
-  rviz::Property* const colour = background();
+  rviz::ColorProperty* const colour = background();
   if (colour) connect(colour, &rviz::Property::changed, this, &ViewChoice::showBackground);
   showBackground();
   timer_.start(kLookEvery);
 }
 
-rviz::Property* ViewChoice::background() const {
-  rviz::Property* const root = manager_ ? manager_->getRootDisplayGroup() : nullptr;
-  return root ? root->subProp("Global Options")->subProp("Background Color") : nullptr;
+QWidget* ViewChoice::light() const {
+  return light_;
+}
+
+rviz::ColorProperty* ViewChoice::background() const {
+  rviz::Property* const root = manager_->getRootDisplayGroup();
+  return dynamic_cast<rviz::ColorProperty*>(root->subProp("Global Options")->subProp("Background Color"));
 }
 
 void ViewChoice::showBackground() {
-  const rviz::Property* const colour = background();
+  const rviz::ColorProperty* const colour = background();
   const QSignalBlocker quiet(light_);
-  light_->setChecked(colour && colour->getValue().value<QColor>().lightnessF() > 0.5);
+  light_->setChecked(colour && colour->getColor().lightnessF() > 0.5);
 }
 
 void ViewChoice::listViews() {

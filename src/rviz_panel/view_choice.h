@@ -9,7 +9,7 @@ class QGridLayout;
 class QLabel;
 
 namespace rviz {
-class Property;
+class ColorProperty;
 class VisualizationManager;
 }  // namespace rviz
 
@@ -23,13 +23,16 @@ class ViewChoice : public QWidget {
   explicit ViewChoice(QWidget* parent = nullptr);
   void setManager(rviz::VisualizationManager* manager);
 
+  /** Dark or light; for whoever has room for it. */
+  QWidget* light() const;
+
   /** Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. */
   void loadViewsOf(const QString& scene);
 
  private:
   void listViews();
   void take(int index);
-  rviz::Property* background() const;
+  rviz::ColorProperty* background() const;
   void showBackground();
 
   rviz::VisualizationManager* manager_ = nullptr;

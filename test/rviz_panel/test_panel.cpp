@@ -7,7 +7,7 @@
 #include <rviz/config.h>
 #include <rviz/display_group.h>
 #include <rviz/panel.h>
-#include <rviz/properties/property.h>
+#include <rviz/properties/color_property.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
@@ -360,9 +360,6 @@ TEST_F(Panel, torquesAreCalledByTheirName) {
 
 TEST_F(Panel, theNodeLearnsWhereTheEyeIs) {
   rviz::ViewManager* const views = shown->frame().getManager()->getViewManager();
-  rviz::Config config;
-  views->save(config);
-  ASSERT_TRUE(until([] { return shown->frame().findChild<QPushButton*>("view_0") != nullptr; }));
   heard->forget();
   views->getCurrent()->subProp("Target Frame")->setValue("<Fixed Frame>");
   for (const char* angle : {"Yaw", "Pitch"}) views->getCurrent()->subProp(angle)->setValue(0);
@@ -379,22 +376,30 @@ TEST_F(Panel, theNodeLearnsWhereTheEyeIs) {
   heard->forget();
   spin(1);
   EXPECT_EQ(heard->viewpoints, 0) << "nothing is sent while the camera rests";
-  press<QPushButton>("view_0");
-  EXPECT_TRUE(until([] { return heard->viewpoints > 0; })) << "a saved view is another place";
+  // A view that is saved gets a button, which leads back there.
+  const int before = views->getNumViews();
+  views->copyCurrentToList();
+  const QString button = QString("view_%1").arg(before);
+  ASSERT_TRUE(until([&] { return shown->frame().findChild<QPushButton*>(button) != nullptr; }));
+  views->getCurrent()->subProp("Distance")->setValue(9.0);
+  ASSERT_TRUE(until([] { return std::abs(heard->viewpoint.point.x - 9) < 1e-4; }));
+  press<QPushButton>(button);
+  EXPECT_TRUE(until([] { return std::abs(heard->viewpoint.point.x - 3) < 1e-4; })) << heard->viewpoint;
 }
 
 TEST_F(Panel, theBackgroundIsLightOrDark) {
-  rviz::Property* const colour =
-      shown->frame().getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color");
+  auto* const colour = dynamic_cast<rviz::ColorProperty*>(
+      shown->frame().getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"));
+  ASSERT_TRUE(colour);
   auto* const light = find<QCheckBox>("light_background");
   ASSERT_FALSE(light->isChecked());
   QTest::keyClick(light, Qt::Key_Space);
-  EXPECT_EQ(colour->getValue().value<QColor>(), QColor(236, 239, 244));
+  EXPECT_EQ(colour->getColor(), QColor(236, 239, 244));
   QTest::keyClick(light, Qt::Key_Space);
-  EXPECT_EQ(colour->getValue().value<QColor>(), QColor(24, 28, 36));
-  colour->setValue(QColor(255, 255, 255));
+  EXPECT_EQ(colour->getColor(), QColor(24, 28, 36));
+  colour->setColor(QColor(255, 255, 255));
   EXPECT_TRUE(light->isChecked());
-  colour->setValue(QColor(24, 28, 36));
+  colour->setColor(QColor(24, 28, 36));
 }
 
 TEST_F(Panel, theNodesNameIsASetting) {
@@ -455,14 +460,16 @@ TEST_F(Panel, aNodeThatHangsDoesNotHangRviz) {
 }
 
 TEST_F(Panel, zAMasterThatIsRestartedIsFoundAgain) {
+  heard.reset();  // it would hear nothing any more, and keep others of this process from subscribing anew
   node->kill();
   master->kill();
-  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
-  spin(5);
+  const auto lost = [] { return find<QLabel>("banner")->isVisible(); };
+  ASSERT_TRUE(shown->spinUntil(lost, kPatience));
+  shown->spin(5);
   startMaster();
   startNode();
-  EXPECT_TRUE(until([] { return controls()->isEnabled() && !find<QLabel>("banner")->isVisible(); }));
-  heard = std::make_unique<NodeWatcher>("wingnut");  // the old one hears nothing, as everybody's subscriptions
+  EXPECT_TRUE(shown->spinUntil([&] { return controls()->isEnabled() && !lost(); }, kPatience));
+  heard = std::make_unique<NodeWatcher>("wingnut");
   ASSERT_TRUE(until([] { return heard->states > 0; }));
   press<QPushButton>("play");
   EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 0; }));

@@ -180,6 +180,9 @@ TEST(Text, figures) {
   EXPECT_EQ(text::withPrefix(-2, "J"), "−2 J");
   EXPECT_EQ(text::withPrefix(kNaN, "J"), "–");
   EXPECT_EQ(text::small(1.23e-16), "1.2e−16");
+  EXPECT_EQ(text::small(-1.23e-7), "−1.2e−7");
+  EXPECT_EQ(text::small(0.01234), "0.0123");
+  EXPECT_EQ(text::small(1e9), "1.0e9");
   EXPECT_EQ(text::small(0), "0");
   EXPECT_EQ(text::speed(-0.5), "×−0.5");
 }
