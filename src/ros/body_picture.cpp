@@ -242,7 +242,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   }
   const double metres = scale_.metres_per_radian_per_second;
   appendFamily(brush_, inertia_, omega_principal_, metres, out);
-  appendRolling(brush_, *closed_form_, metres, out);
+  appendRolling(brush_, *closed_form_, metres, title_depth_, out);
   appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);

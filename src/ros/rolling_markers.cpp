@@ -26,7 +26,7 @@ constexpr double kArcBeyond = 0.09;   // outside the herpolhode
 constexpr double kArcSpacing = 0.05;  // rad
 constexpr double kLeastHerpolhode = 0.02;
 constexpr double kTurnHeight = 0.13;
-constexpr double kBeforePlane = 0.3;
+constexpr double kTurnDepth = 0.4;  // of the middle of its two lines below the title
 constexpr int kDiscPieces = 40;
 // Ids within <body>/space/montgomery.
 enum MontgomeryId { kSector, kWords };
@@ -68,15 +68,9 @@ Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double met
   return m;
 }
 
-/** Where the angle is told: beside the plane, on the side of the body, before the surfaces for a viewer at +x. */
-Eigen::Vector3d besidePlane(const Eigen::Vector3d& foot) {
-  const bool to_the_side = std::abs(foot.y()) > 0.5 * foot.norm();
-  return foot + (to_the_side ? Eigen::Vector3d(kBeforePlane, 0, 0.5) : Eigen::Vector3d(kBeforePlane, -1.02, 0.36));
-}
-
 }  // namespace
 
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, MarkerArray& out) {
+void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, double title_depth, MarkerArray& out) {
   const view::InvariablePlane plane = view::invariablePlane(motion);
   if (plane.normal.isZero(0)) return;
   const view::Herpolhode herpolhode = view::herpolhode(motion);
@@ -98,7 +92,9 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   if (!std::isfinite(angle)) return;
   const std::string ns = brush.ns(names::kSpace, names::kMontgomery);
   const Eigen::Vector3d foot = metres * plane.distance * plane.normal;
-  Marker words = brush.text({}, brush.frames().space, besidePlane(foot), turnsAboutMomentum(angle), kTurnHeight);
+  // Below the title: omega and L may pass by anywhere else.
+  Marker words =
+      brush.text({}, brush.frames().space, {0, 0, -title_depth - kTurnDepth}, turnsAboutMomentum(angle), kTurnHeight);
   words.color = palette::angularMomentum();
   words.ns = ns;
   words.id = kWords;

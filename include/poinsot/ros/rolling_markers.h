@@ -13,7 +13,9 @@ namespace poinsot::node {
  *
  * @param metres per rad/s. Lines are lifted off the plane by the same factor as a polhode off its ellipsoids, so that
  * the two lines touch where the surfaces do.
+ * @param title_depth of the picture's title below its centre [m]: the angle is told below it.
  */
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, visualization_msgs::MarkerArray& out);
+void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, double title_depth,
+                   visualization_msgs::MarkerArray& out);
 
 }  // namespace poinsot::node
