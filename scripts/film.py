@@ -11,19 +11,32 @@ import subprocess
 import sys
 import time
 
+import numpy as np
 import rospy
 from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
 GRABS = 16  # a second
-STILL = 2  # grabs in a row: RViz takes tf and markers up in different frames of its own
-PATIENCE = 1.0  # s: nothing may be going to change
+STILL = 4  # grabs in a row: RViz takes tf and markers up in different frames of its own
+LEAST = 0.4  # of the usual change from frame to frame: less is a straggler of the step before
+PATIENCE = 1.5  # s: nothing may be going to change
 LONGEST = 5.0  # s: it may never keep still
+
+
+def difference(a, b):
+    """Mean difference of some of the bytes; of two pictures that differ at all more than 0."""
+    if a == b:
+        return 0
+    if len(a) != len(b):
+        return 255
+    x, y = (np.frombuffer(picture, np.uint8)[::5].astype(np.int16) for picture in (a, b))
+    return max(1e-9, float(np.abs(x - y).mean()))
 
 
 class Screen:
     def __init__(self, width, height):
         self.size = width * height * 4
+        self.changes = []
         self.grabber = subprocess.Popen(
             ["ffmpeg", "-loglevel", "error", "-nostdin", "-f", "x11grab", "-draw_mouse", "0", "-framerate", str(GRABS),
              "-video_size", "%dx%d" % (width, height), "-i", os.environ["DISPLAY"], "-f", "rawvideo", "-pix_fmt", "bgr0",
@@ -36,14 +49,20 @@ class Screen:
         return picture
 
     def settled(self, before):
-        """The next picture that is unlike `before` and stays."""
+        """The next picture that is as unlike `before` as pictures usually are, and stays."""
         begin, still, last = time.monotonic(), 0, None
+        usual = sorted(self.changes[-15:])[len(self.changes[-15:]) // 2] if self.changes else 0
         while True:
             picture = self.grab()
             still = still + 1 if picture == last else 0
             last = picture
             waited = time.monotonic() - begin
-            if still >= STILL and (picture != before or waited > PATIENCE) or waited > LONGEST:
+            if not still >= STILL and waited < LONGEST:
+                continue
+            change = difference(picture, before)
+            if change > LEAST * usual or waited > PATIENCE:
+                if before:
+                    self.changes.append(change)
                 return picture
 
     def close(self):

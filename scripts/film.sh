@@ -14,8 +14,8 @@
 #   --picture KIND     of the moving picture beside it (default: webp)
 #   --picture-width W  how wide that is (default: 800)
 #
-# Every frame is one step of the paused node, so a film is even however slow the machine is. One of 10 s takes a
-# minute or some, with software OpenGL.
+# Every frame is one step of the paused node, so a film is even however slow the machine is. One of 10 s takes two
+# minutes or some, with software OpenGL.
 # Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene. A film that fails leaves nothing.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
