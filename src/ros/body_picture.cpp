@@ -31,6 +31,7 @@ constexpr double kBeadDiameter = 0.10;
 constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
 constexpr double kFiguresHeight = 0.19;
 constexpr double kFiguresDepth = 0.55;  // below the title
+constexpr double kTurnDepth = 0.36;     // of Montgomery's angle below the title
 constexpr double kFlipsHeight = 0.17;
 constexpr double kFlipsDepth = 0.3;  // below the title
 constexpr float kSphereOverlay = 0.05f;
@@ -242,7 +243,9 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   }
   const double metres = scale_.metres_per_radian_per_second;
   appendFamily(brush_, inertia_, omega_principal_, metres, out);
-  appendRolling(brush_, *closed_form_, metres, title_depth_, out);
+  // Below the picture in body axes, where the polhode is: below the other one the next body's L may stand.
+  const Eigen::Vector3d words_place = layout_.model_centre - Eigen::Vector3d(0, 0, title_depth_ + kTurnDepth);
+  appendRolling(brush_, *closed_form_, metres, words_place, out);
   appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);

@@ -26,7 +26,6 @@ constexpr double kArcBeyond = 0.09;   // outside the herpolhode
 constexpr double kArcSpacing = 0.05;  // rad
 constexpr double kLeastHerpolhode = 0.02;
 constexpr double kTurnHeight = 0.13;
-constexpr double kTurnDepth = 0.4;  // of the middle of its two lines below the title
 constexpr int kDiscPieces = 40;
 // Ids within <body>/space/montgomery.
 enum MontgomeryId { kSector, kWords };
@@ -39,10 +38,10 @@ std::string turnsAboutMomentum(double angle) {
   const double whole = std::floor(angle / kTurn);
   char text[128];
   if (whole > 0) {
-    std::snprintf(text, sizeof text, "each period about L\n%.0f \xC3\x97 360\xC2\xB0 + %.1f\xC2\xB0", whole,
-                  (angle - whole * kTurn) / kDegree);
+    std::snprintf(text, sizeof text, "one round of the polhode:\n%.0f \xC3\x97 360\xC2\xB0 + %.1f\xC2\xB0 about L",
+                  whole, (angle - whole * kTurn) / kDegree);
   } else {
-    std::snprintf(text, sizeof text, "each period about L\n%.1f\xC2\xB0", angle / kDegree);
+    std::snprintf(text, sizeof text, "one round of the polhode:\n%.1f\xC2\xB0 about L", angle / kDegree);
   }
   return text;
 }
@@ -70,7 +69,8 @@ Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double met
 
 }  // namespace
 
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, double title_depth, MarkerArray& out) {
+void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, const Eigen::Vector3d& words_place,
+                   MarkerArray& out) {
   const view::InvariablePlane plane = view::invariablePlane(motion);
   if (plane.normal.isZero(0)) return;
   const view::Herpolhode herpolhode = view::herpolhode(motion);
@@ -92,9 +92,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   if (!std::isfinite(angle)) return;
   const std::string ns = brush.ns(names::kSpace, names::kMontgomery);
   const Eigen::Vector3d foot = metres * plane.distance * plane.normal;
-  // Below the title: omega and L may pass by anywhere else.
-  Marker words =
-      brush.text({}, brush.frames().space, {0, 0, -title_depth - kTurnDepth}, turnsAboutMomentum(angle), kTurnHeight);
+  Marker words = brush.text({}, names::kWorld, words_place, turnsAboutMomentum(angle), kTurnHeight);
   words.color = palette::angularMomentum();
   words.ns = ns;
   words.id = kWords;

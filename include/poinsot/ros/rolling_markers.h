@@ -13,9 +13,9 @@ namespace poinsot::node {
  *
  * @param metres per rad/s. Lines are lifted off the plane by the same factor as a polhode off its ellipsoids, so that
  * the two lines touch where the surfaces do.
- * @param title_depth of the picture's title below its centre [m]: the angle is told below it.
+ * @param words_place where the angle is told [m], world axes.
  */
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, double title_depth,
+void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, const Eigen::Vector3d& words_place,
                    visualization_msgs::MarkerArray& out);
 
 }  // namespace poinsot::node
