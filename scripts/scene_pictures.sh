@@ -33,7 +33,7 @@ at() {
     separatrix) echo 21.7 ;;
     symmetric_* | sphere | regimes | hundred) echo 5 ;;
     t_handle) echo 14.2 ;;
-    phone) echo 2 ;;
+    phone) echo 1.2 ;;
     tennis_racket) echo 4.3 ;;
     thruster_despin) echo 14 ;;
     damped_tumble) echo 8 ;;

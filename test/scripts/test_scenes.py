@@ -501,6 +501,7 @@ BREAKS = {
     "heavy_top_sleeping": (r"coefficient: \[0, 0, ", "coefficient: [0, 0, 1"),
     "hundred": (r"angular_velocity: \[2\.9886, 0, 0\.2615\]", "angular_velocity: [0.2615, 0, -2.9886]"),
     "nasa_brick": (r"angular_velocity: \[0\.1745", "angular_velocity: [0.1746"),
+    "phone": (r"size: \[1\.1736", "size: [1.18"),
     "regimes": (r"angular_velocity: \[0\.3, 3, 0\.3\]", "angular_velocity: [0.3, 0.3, 3]"),
     "sphere": (r"size: \[1, 1, 1\]", "size: [1, 1.1, 1]"),
     "tennis_racket": (r"mass: 0\.001, position: \[0\.1", "mass: 0.001, position: [0.2"),
