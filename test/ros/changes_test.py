@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Another scene, another method, another spin while it plays: what a subscriber sees of them."""
+import io
 import math
 import os
 import subprocess
@@ -124,6 +125,15 @@ class ChangesTest(unittest.TestCase):
         self.control.pause(False)
         self.control.speed(-2.5)
         self.status.next_where(lambda s: s.speed == -2.5 and not s.paused)
+
+    def test_markers_keep_to_their_budget(self):
+        # doc/ros_api.md: 250 kB/s a free body at 60 messages a second, and 75 kB of what stands still.
+        self.moving.clear()
+        graph.wait_for(lambda: self.moving.count() > 400, 30, "as many messages as one trail is long")
+        sizes = [size(m) for m in self.moving.all()]
+        self.assertLess(60 * sum(sizes) / len(sizes), 250e3)
+        self.assertLess(size(self.still.last()), 75e3)
+        self.assertGreater(size(self.still.last()), 10e3, "nothing to measure")
 
     def test_status_counts_and_foretells_flips(self):
         # A flip: the component of Omega along the hub, the axis of intermediate moment, changes its sign.
@@ -259,6 +269,12 @@ class ChangesTest(unittest.TestCase):
         self.assertEqual(status.bodies[0].method, "cf4")
         state = self.states.next_where(lambda s: s.segment == status.segment, since=0)
         self.assertLess(distance(vector(state.omega_body), (0.1, 2, 0.1)), 0.2)
+
+
+def size(message):
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return len(buffer.getvalue())
 
 
 def marker_at(listener, stamp, ns):
