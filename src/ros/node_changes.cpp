@@ -164,7 +164,13 @@ void Node::exchange(Rebuild::Result&& made) {
 
 bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& response) {
   try {
-    const std::string file = sceneFile(request.scene.empty() && !scene_file_.empty() ? scene_file_ : request.scene);
+    std::string wish = request.scene;
+    if (wish.empty()) {
+      const std::lock_guard<FairMutex> lock(mutex_);
+      wish = scene_file_;
+      if (wish.empty()) throw scene::Error("the present scene came without a file; allowed: a name or a path");
+    }
+    const std::string file = sceneFile(wish);
     Change change;
     change.scene = scene::readFile(file);
     requireMeshes(change.scene);
