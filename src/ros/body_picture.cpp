@@ -97,7 +97,8 @@ std::string shown(const char* format, double value) {
 std::string flipsInWords(const view::Flips& flips, bool only_one) {
   const bool next = std::isfinite(flips.to_next);
   const std::string when = next ? shown("in %.1f s", flips.to_next) : "";
-  if (only_one) return next ? "its only flip " + when : "no flip any more";
+  if (only_one)
+    return next ? "its only flip " + when : flips.since_start != 0 ? "flip 1, its only one" : "no flip to come";
   const std::string next_words = next ? "next flip " + when : "";
   if (flips.since_start == 0) return next_words;
   return shown("flip %.0f", static_cast<double>(flips.since_start)) + ", next " + when;
