@@ -102,7 +102,8 @@ class EffectsTest(unittest.TestCase):
 
     def test_no_body_has_more_topics_than_another(self):
         wanted = {"/effects/%s/%s" % (b, t) for b in BODIES for t in ("state", "odometry", "description")}
-        self.assertEqual(self.topics, wanted | {"/effects/markers", "/effects/markers_static"})
+        of_node = {"/effects/poinsot/" + t for t in ("status", "grip/update", "grip/update_full")}
+        self.assertEqual(self.topics, wanted | of_node | {"/effects/markers", "/effects/markers_static"})
 
     def test_namespaces_are_those_that_effects_call_for(self):
         still, moving = namespaces(self.still), namespaces(self.arrays)

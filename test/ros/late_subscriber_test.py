@@ -83,10 +83,12 @@ class LateSubscriberTest(unittest.TestCase):
             return {name for name, nodes in topics if NODE in nodes}
         expected = {"/%s/%s" % (body, what) for body in BODIES for what in ("state", "odometry", "description")}
         expected |= {"/markers", "/markers_static", "/tf", "/tf_static", "/diagnostics", "/rosout"}
+        expected |= {NODE + "/" + what for what in ("status", "grip/update", "grip/update_full")}
         self.assertEqual(of_node(publishers), expected)
-        self.assertEqual(of_node(subscribers), {NODE + "/speed", NODE + "/seek"})
+        self.assertEqual(of_node(subscribers), {NODE + "/" + what for what in ("speed", "seek", "viewpoint", "grip/feedback")})
         self.assertEqual(of_node(services),
-                         {NODE + "/" + what for what in ("pause", "step", "reset", "get_loggers", "set_logger_level")})
+                         {NODE + "/" + what for what in ("pause", "step", "reset", "load_scene", "set_method", "set_spin",
+                                                         "get_loggers", "set_logger_level")})
         types = dict(master.getTopicTypes())
         for topic, kind in (("/conserving/state", "poinsot/BodyState"),
                             ("/conserving/description", "poinsot/BodyDescription"),
