@@ -80,6 +80,8 @@ class Panel : public testing::Test {
     press<QToolButton>("real_time");
     ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
     ASSERT_TRUE(until([] { return combo("method")->currentText() == "closed_form"; }));
+    // After a test that played backwards, the slider is on the page of negative times until the panel has heard.
+    ASSERT_TRUE(until([] { return find<QLabel>("page_from")->text() == "0 s"; }));
   }
 
   template <typename Widget>
