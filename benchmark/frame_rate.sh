@@ -3,7 +3,7 @@
 #
 # Usage: benchmark/frame_rate.sh SCENE [VIEW] [OPTION ...]
 #   SCENE      a name in scenes/
-#   VIEW       a name in rviz/ (default: the scene's, or demo)
+#   VIEW       a name in rviz/, or the path of a .rviz file (default: the scene's, or demo)
 #   OPTION ... of rviz_frame_rate: --seconds S, --rounds N, --rate HZ
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 case "${1:-}" in
@@ -18,7 +18,11 @@ if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
   shift
 fi
 [ -f "$root/scenes/$scene.yaml" ] || bad_use "frame_rate.sh: there is no scene $scene"
-[ -f "$root/rviz/$view.rviz" ] || bad_use "frame_rate.sh: there is no view $view"
+case "$view" in
+  */* | *.rviz) file=$(realpath -m -- "$view") ;;
+  *) file=$root/rviz/$view.rviz ;;
+esac
+[ -f "$file" ] || bad_use "frame_rate.sh: there is no view $view"
 
 build_package poinsot_node poinsot_rviz rviz_frame_rate
 enter_devel
@@ -38,5 +42,5 @@ program=$build/devel/lib/poinsot
 "$program/poinsot_node" __name:=poinsot _scene_file:="$root/scenes/$scene.yaml" > /dev/null 2>&1 &
 pids+=($!)
 sleep 2
-echo "$scene with rviz/$view.rviz, $(nproc) cores"
-"$program/rviz_frame_rate" "$root/rviz/$view.rviz" "$@" 2> /dev/null | grep -E '^(round|ratio)'
+echo "$scene with ${file##*/}, $(nproc) cores"
+"$program/rviz_frame_rate" "$file" "$@" 2> /dev/null | grep -E '^(round|ratio)'

@@ -60,6 +60,7 @@ class Stage {
       Ogre::Root::getSingleton().addFrameListener(&counter_);
       opened_ = true;
     } else {
+      frame_.setWindowModified(false);  // else RViz asks whether to save
       frame_.loadDisplayConfig(view);
     }
     frame_.getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Frame Rate")->setValue(rate_);

@@ -7,6 +7,7 @@
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
+#include <rviz/window_manager_interface.h>
 #include <rviz/yaml_config_reader.h>
 
 #include <QCheckBox>
@@ -107,7 +108,12 @@ void ViewChoice::loadViewsOf(const QString& scene) {
   reader.readFile(config, file);
   if (reader.error()) return;
   const rviz::Config views = config.mapGetChild("Visualization Manager").mapGetChild("Views");
-  if (views.isValid()) manager_->getViewManager()->load(views);
+  if (!views.isValid()) return;
+  // The user has changed nothing: RViz need not ask whether to save it.
+  QWidget* const window = manager_->getWindowManager() ? manager_->getWindowManager()->getParentWindow() : nullptr;
+  const bool modified = window && window->isWindowModified();
+  manager_->getViewManager()->load(views);
+  if (window) window->setWindowModified(modified);
 }
 
 }  // namespace poinsot::rviz_panel
