@@ -112,11 +112,17 @@ python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "
   ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size "$size" -framerate "$fps" -i pipe:0 \
     -c:v libx264 -preset slow -crf 20 -pix_fmt yuv420p -movflags +faststart "$work/film.mp4" 2>> "$log" ||
   failed "no film could be taken"
+# At the film's own rate, or a whole part of it: frames that are left out here and there would make it stumble.
+picture_fps=$fps
+for part in 2 3 4 5 6 7 8 9; do
+  [ "$picture_fps" -gt 25 ] || break
+  [ $((fps % part)) -ne 0 ] || picture_fps=$((fps / part))
+done
 case "$picture" in
-  webp) ffmpeg -loglevel error -y -i "$work/film.mp4" -vf "fps=20,scale=$picture_width:-2:flags=lanczos" -c:v libwebp_anim \
+  webp) ffmpeg -loglevel error -y -i "$work/film.mp4" -vf "fps=$picture_fps,scale=$picture_width:-2:flags=lanczos" -c:v libwebp_anim \
     -quality 75 -compression_level 4 -loop 0 -an "$work/film.webp" 2>> "$log" || failed "no moving picture could be made" ;;
   gif) ffmpeg -loglevel error -y -i "$work/film.mp4" -filter_complex \
-    "fps=20,scale=$picture_width:-2:flags=lanczos,split[a][b];[a]palettegen=max_colors=160[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle" \
+    "fps=$picture_fps,scale=$picture_width:-2:flags=lanczos,split[a][b];[a]palettegen=max_colors=160[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle" \
     "$work/film.gif" 2>> "$log" || failed "no moving picture could be made" ;;
 esac
 for kind in mp4 webp gif; do
