@@ -72,6 +72,9 @@ void Transport::buildButtons() {
   connect(step_, &QPushButton::clicked, this, &Transport::stepAsked);
   connect(reset_, &QPushButton::clicked, this, [this] {
     since_seek_.invalidate();
+    page_ = TimePage(span(), bothSides());  // t = 0 is also the end of the page before
+    now_ = 0;
+    showPage();
     Q_EMIT resetAsked();
   });
 }
