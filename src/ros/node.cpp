@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "poinsot/cost/cpu_time.h"
+#include "poinsot/ros/limits.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/number_text.h"
 #include "poinsot/ros/scene_list.h"
@@ -24,10 +25,8 @@ constexpr int kControlQueue = 100;
 const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kPatienceForClock(3);
 const ros::WallDuration kStatusPause(0.1);
-constexpr double kMostSeekSteps = 1e9;
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
 constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
-constexpr double kMostLoad = 0.8;             // of one core, for what a speed may ask of the steppers
 constexpr double kAstray = 0.1;               // rad from the truth: /diagnostics warns
 constexpr double kCoarseShare = 0.1;          // of a tick: where doubles lie further apart, t is seen to jump
 
@@ -314,10 +313,10 @@ void Node::onSeek(const std_msgs::Float64& message) {
   for (const auto& body : bodies_) {
     const MotionSetup& setup = body->motion().setup();
     const double steps = body->motion().stepsTo(time);
-    if (steps > kMostSeekSteps) {
+    if (steps > kMostSteps) {
       refused("seek to " + shown(time) + " s refused: body " + body->name() + " under " + setup.method +
               " would take " + shown(std::isfinite(steps) ? steps : std::abs(time) / *setup.step) + " steps of " +
-              shown(*setup.step) + " s; at most " + shown(kMostSeekSteps) + " are allowed");
+              shown(*setup.step) + " s; at most " + shown(kMostSteps) + " are allowed");
       return;
     }
     total += steps;

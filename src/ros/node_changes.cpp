@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/limits.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/node.h"
@@ -19,8 +20,6 @@
 namespace poinsot::node {
 namespace {
 
-constexpr double kMostLoad = 0.8;           // of one core, for the steppers
-constexpr double kMostStepsAhead = 1e9;     // that a new method may take to the present t
 constexpr double kClick = 0.005;            // m: a hand that moves less has not led anything
 constexpr std::size_t kMostGrips = 16;      // bodies beyond have none
 constexpr std::size_t kGripsEachTick = 4;   // with more they are placed more rarely
@@ -33,6 +32,20 @@ bool sameStart(const scene::Body& a, const scene::Body& b) {
                           (!a.translation || (a.translation->position == b.translation->position &&
                                               a.translation->velocity == b.translation->velocity));
   return same_place && a.omega_body == b.omega_body && a.attitude.coeffs() == b.attitude.coeffs();
+}
+
+/** Does what a service was asked for; `act` throws what is wrong, which is answered and told by `refuse`. */
+template <class Response, class Act, class Refuse>
+bool answered(Response& response, const Act& act, const Refuse& refuse) {
+  try {
+    act();
+    response.success = true;
+  } catch (const std::exception& error) {
+    refuse(error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
 }
 
 const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
@@ -62,6 +75,12 @@ Node::Change Node::wanted() const {
   out.start_scene = start_scene_;
   out.name = scene_name_;
   out.file = scene_file_;
+  return out;
+}
+
+Node::Change Node::wantedOfPresentScene() const {
+  Change out = wanted();
+  if (out.all) throw scene::Error("another scene is being made ready; allowed: the same when it plays");
   return out;
 }
 
@@ -163,7 +182,7 @@ void Node::exchange(Rebuild::Result&& made) {
 // What is asked for.
 
 bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& response) {
-  try {
+  const auto act = [&] {
     std::string wish = request.scene;
     if (wish.empty()) {
       const std::lock_guard<FairMutex> lock(mutex_);
@@ -181,25 +200,22 @@ bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& respons
     change.file = file;
     change.all = change.from_start = true;
     change.what = "scene " + change.name;
+    response.message = change.what + " is being made ready";
     const std::lock_guard<FairMutex> lock(mutex_);
     endHold();
     ask(std::move(change));
-    response.success = true;
-    response.message = "scene " + sceneName(file) + " is being made ready";
-  } catch (const std::exception& error) {
+  };
+  // A file may take its time: it is read without the lock.
+  return answered(response, act, [this](const std::string& what) {
     const std::lock_guard<FairMutex> lock(mutex_);
-    refused(error.what());
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
+    refused(what);
+  });
 }
 
 bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& response) {
   const std::lock_guard<FairMutex> lock(mutex_);
-  try {
-    Change change = wanted();
-    if (change.all) throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+  const auto act = [&] {
+    Change change = wantedOfPresentScene();
     const std::size_t i = indexOf(request.body);
     std::vector<std::string> warnings;
     scene::Body body = scene::withMethod(change.scene.bodies[i], request.method,
@@ -207,10 +223,10 @@ bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& respons
     response.message = request.body + ": " + body.method;
     if (body.step) {
       const double steps = std::abs(clock_.time()) / *body.step;
-      if (!change.from_start && !(steps <= kMostStepsAhead)) {
+      if (!change.from_start && !(steps <= kMostSteps)) {
         throw scene::Error("body \"" + request.body + "\": to t = " + shown(clock_.time()) + " s there are " +
                            shown(steps) + " steps of " + shown(*body.step) + " s; allowed: at most " +
-                           shown(kMostStepsAhead) + ", nearer to t = 0");
+                           shown(kMostSteps) + ", nearer to t = 0");
       }
       response.message += " with a step of " + shown(*body.step) + " s";
     }
@@ -223,32 +239,23 @@ bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& respons
     change.bodies.insert(i);
     change.what = "method " + request.method + " of " + request.body;
     ask(std::move(change));
-    response.success = true;
-  } catch (const std::exception& error) {
-    refused(error.what());
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
+  };
+  return answered(response, act, [this](const std::string& what) { refused(what); });
 }
 
 bool Node::onSetSpin(SetSpin::Request& request, SetSpin::Response& response) {
   const std::lock_guard<FairMutex> lock(mutex_);
-  try {
-    const geometry_msgs::Vector3& omega = request.omega_body;
-    askForSpin(indexOf(request.body), {omega.x, omega.y, omega.z});
-    response.success = true;
-  } catch (const std::exception& error) {
-    refused(error.what());
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
+  const geometry_msgs::Vector3& omega = request.omega_body;
+  return answered(
+      response,
+      [&] {
+        askForSpin(indexOf(request.body), {omega.x, omega.y, omega.z});
+      },
+      [this](const std::string& what) { refused(what); });
 }
 
 void Node::askForSpin(std::size_t i, const Eigen::Vector3d& omega_body) {
-  Change change = wanted();
-  if (change.all) throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+  Change change = wantedOfPresentScene();
   change.scene.bodies[i] = scene::withSpin(change.scene.bodies[i], bodies_[i]->state(), omega_body);
   change.bodies.insert(i);
   change.from_start = true;
@@ -395,6 +402,7 @@ void Node::lead(const Touch& touch) {
     start.method = kClosedForm;  // only its start is looked at
     start.step.reset();
   }
+  if (!hold_->preview) markers_watched_ = false;  // the trail and the words are those of the spin before
   hold_->preview = std::make_unique<MovingBody>(start, frame_prefix_, true, body.picture().frame());
   hold_->preview_is_new = true;
 }

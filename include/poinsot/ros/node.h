@@ -73,6 +73,7 @@ class Node {
   };
   /** The scene as it is to be once all that was asked for is done. */
   Change wanted() const;
+  Change wantedOfPresentScene() const;  ///< throws scene::Error while another one is being made ready
   void ask(Change change);
   void startRebuild();
   void takeFinishedRebuild();
