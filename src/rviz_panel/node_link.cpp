@@ -185,38 +185,35 @@ void NodeLink::flush(Outgoing& outgoing) {
   }
 }
 
-void NodeLink::setSpeed(double speed) {
-  set(speed_, [this, speed] {
-    if (!connection_ || connection_->speed.getNumSubscribers() == 0) return false;
-    std_msgs::Float64 message;
-    message.data = speed;
-    connection_->speed.publish(message);
+template <typename Message>
+void NodeLink::publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message) {
+  set(outgoing, [this, publisher, message] {
+    if (!connection_ || (connection_.get()->*publisher).getNumSubscribers() == 0) return false;
+    (connection_.get()->*publisher).publish(message);
     return true;
   });
+}
+
+void NodeLink::setSpeed(double speed) {
+  std_msgs::Float64 message;
+  message.data = speed;
+  publish(speed_, &Connection::speed, message);
 }
 
 void NodeLink::seek(double time) {
-  set(seek_, [this, time] {
-    if (!connection_ || connection_->seek.getNumSubscribers() == 0) return false;
-    std_msgs::Float64 message;
-    message.data = time;
-    connection_->seek.publish(message);
-    return true;
-  });
+  std_msgs::Float64 message;
+  message.data = time;
+  publish(seek_, &Connection::seek, message);
 }
 
 void NodeLink::setViewpoint(double x, double y, double z) {
-  set(viewpoint_, [this, x, y, z] {
-    if (!connection_ || connection_->viewpoint.getNumSubscribers() == 0) return false;
-    geometry_msgs::PointStamped message;
-    message.header.stamp = ros::Time::now();
-    message.header.frame_id = names::kWorld;
-    message.point.x = x;
-    message.point.y = y;
-    message.point.z = z;
-    connection_->viewpoint.publish(message);
-    return true;
-  });
+  geometry_msgs::PointStamped message;
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kWorld;
+  message.point.x = x;
+  message.point.y = y;
+  message.point.z = z;
+  publish(viewpoint_, &Connection::viewpoint, message);
 }
 
 template <typename Service>

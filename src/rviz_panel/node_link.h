@@ -4,6 +4,8 @@
 #include <poinsot/BodyState.h>
 #include <poinsot/NodeStatus.h>
 
+#include <ros/publisher.h>
+
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
@@ -82,6 +84,9 @@ class NodeLink : public QObject {
   void follow();
   void set(Outgoing& outgoing, std::function<bool()> send);
   void flush(Outgoing& outgoing);
+  /** Sends the message as soon as somebody listens, unless another of its kind comes first. */
+  template <typename Message>
+  void publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message);
   template <typename Service>
   void call(const char* name, const typename Service::Request& request);
 
