@@ -26,16 +26,8 @@ esac
 
 build_package poinsot_node poinsot_rviz rviz_frame_rate
 enter_devel
-stay_on_loopback "$(free_port)"
-ROS_HOME=$(mktemp -d)
-export ROS_HOME HOME=$ROS_HOME XDG_RUNTIME_DIR=$ROS_HOME QT_QPA_PLATFORM=xcb
-pids=()
-finish() { kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"; }
-trap finish EXIT
-
-roscore -p "${ROS_MASTER_URI##*:}" > /dev/null 2>&1 &
-pids+=($!)
-until rosparam list > /dev/null 2>&1; do sleep 0.2; done
+start_graph
+export HOME=$ROS_HOME XDG_RUNTIME_DIR=$ROS_HOME QT_QPA_PLATFORM=xcb
 start_display 1600x900
 pids+=("$display_pid")
 program=$build/devel/lib/poinsot

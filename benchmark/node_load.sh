@@ -8,16 +8,7 @@ seconds=${1:-20}
 
 build_package poinsot_node bare_tf_broadcaster
 enter_devel
-stay_on_loopback "$(free_port)"
-ROS_HOME=$(mktemp -d)
-export ROS_HOME
-pids=()
-finish() { kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"; }
-trap finish EXIT
-
-roscore -p "${ROS_MASTER_URI##*:}" > /dev/null 2>&1 &
-pids+=($!)
-until rosparam list > /dev/null 2>&1; do sleep 0.2; done
+start_graph
 
 # cpu PID: CPU seconds spent so far.
 cpu() { awk -v hz="$(getconf CLK_TCK)" '{print ($14 + $15) / hz}' "/proc/$1/stat"; }

@@ -55,6 +55,18 @@ free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
+# start_graph: a ROS graph and a ROS_HOME of its own; what is added to `pids` ends with the script.
+start_graph() {
+  stay_on_loopback "$(free_port)"
+  ROS_HOME=$(mktemp -d)
+  export ROS_HOME
+  pids=()
+  trap 'kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"' EXIT
+  roscore -p "${ROS_MASTER_URI##*:}" > /dev/null 2>&1 &
+  pids+=($!)
+  until rosparam list > /dev/null 2>&1; do sleep 0.2; done
+}
+
 # start_display: a virtual screen that software OpenGL can draw on; sets DISPLAY and display_pid.
 start_display() {
   local number

@@ -9,6 +9,14 @@ struct Body {
   Eigen::Vector3d moments, omega;
 };
 
+/** 2E and F = |L|². */
+inline double energy2(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+  return omega.dot(moments.cwiseProduct(omega));
+}
+inline double momentum2(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+  return moments.cwiseProduct(omega).squaredNorm();
+}
+
 /** Bodies with axes in any order; `decades`: spread of the moments. Draws are the same in every run. */
 class RandomBodies {
  public:

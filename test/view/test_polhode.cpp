@@ -13,13 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-double energy2(const Vector3d& moments, const Vector3d& omega) {
-  return omega.dot(moments.cwiseProduct(omega));
-}
-double momentum2(const Vector3d& moments, const Vector3d& omega) {
-  return moments.cwiseProduct(omega).squaredNorm();
-}
-
 double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d ab = b - a;
   const double length2 = ab.squaredNorm();

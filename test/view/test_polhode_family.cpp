@@ -14,13 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-double energy2(const Vector3d& moments, const Vector3d& omega) {
-  return omega.dot(moments.cwiseProduct(omega));
-}
-double momentum2(const Vector3d& moments, const Vector3d& omega) {
-  return moments.cwiseProduct(omega).squaredNorm();
-}
-
 TEST(PolhodeFamily, hasOneMomentumAndAnEnergyForEachMember) {
   RandomBodies bodies(1);
   for (int i = 0; i < 500; ++i) {
