@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <ostream>
 
 #include "drawn.h"
 
@@ -34,6 +35,12 @@ struct Faults {
   bool none() const { return off_plane < kDrawn && off_ellipsoid < kDrawn && tilt < kDrawn && slip < kDifferenced; }
 };
 
+std::ostream& operator<<(std::ostream& out, const Faults& faults) {
+  return out << "the tip of omega is " << faults.off_plane << " m off the plane and " << faults.off_ellipsoid
+             << " off the ellipsoid; plane and ellipsoid are tilted by " << faults.tilt
+             << "; the point of contact slips at " << faults.slip << " of |omega| r";
+}
+
 Faults faultsOf(Drawn& drawn, double t) {
   const Marker& disc = drawn.get("space/invariable_plane");
   const Marker& ellipsoid = drawn.get("space/energy_ellipsoid");
@@ -60,8 +67,7 @@ TEST(Rolling, theEnergyEllipsoidTouchesThePlaneAtTheTipOfOmegaAndDoesNotSlip) {
     Drawn drawn(c.moments, c.omega);
     for (const double t : {0.0, 0.7, 3.1, -12.3, 100.0}) {
       const Faults faults = faultsOf(drawn, t);
-      EXPECT_TRUE(faults.none()) << faults.off_plane << " " << faults.off_ellipsoid << " " << faults.tilt << " "
-                                 << faults.slip;
+      EXPECT_TRUE(faults.none()) << faults;
     }
   }
 }
@@ -70,7 +76,7 @@ TEST(Rolling, soDoesTheOneOfABodyWhoseAxesAreNotThePrincipalOnes) {
   Eigen::Matrix3d tensor;
   tensor << 2, 0.3, -0.2, 0.3, 3, 0.4, -0.2, 0.4, 2.5;
   Drawn drawn(PrincipalInertia::fromTensor(tensor), {0.4, 1, -0.3}, Eigen::Quaterniond(0.1, 0.7, 0.7, 0).normalized());
-  for (const double t : {0.0, 1.7}) EXPECT_TRUE(faultsOf(drawn, t).none());
+  for (const double t : {0.0, 1.7}) EXPECT_TRUE(faultsOf(drawn, t).none()) << faultsOf(drawn, t);
 }
 
 TEST(Rolling, aDrawingThatIsWrongIsNoticed) {
