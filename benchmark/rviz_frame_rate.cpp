@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 namespace {
@@ -47,6 +48,18 @@ void spin(double seconds) {
   for (timer.start(); timer.elapsed() < 1000 * seconds;) QApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
+/** Of all threads, those of the software OpenGL included. */
+double cpuSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Pace {
+  double frames_per_second;
+  double cpu_a_frame;  // s
+};
+
 class Stage {
  public:
   explicit Stage(double rate) : rate_(rate) {}
@@ -75,13 +88,14 @@ class Stage {
   }
   QSize picture() { return frame_.getManager()->getRenderPanel()->size(); }
 
-  double framesPerSecond(double seconds) {
+  Pace pace(double seconds) {
     spin(kSettling);
     counter_.count = 0;
+    const double cpu = cpuSeconds();
     QElapsedTimer timer;
     timer.start();
     spin(seconds);
-    return 1000.0 * counter_.count / timer.elapsed();
+    return {1000.0 * counter_.count / timer.elapsed(), (cpuSeconds() - cpu) / counter_.count};
   }
 
  private:
@@ -126,14 +140,16 @@ int main(int argc, char** argv) {
     stage.open(QString::fromStdString(view));
     spin(kSettling);
     const QSize size = stage.picture();
-    const double shown = stage.framesPerSecond(seconds);
+    const Pace shown = stage.pace(seconds);
     stage.open(nothing);
     spin(1);
     stage.fit(size);
-    const double empty = stage.framesPerSecond(seconds);
-    ratios.push_back(shown / empty);
-    std::printf("round %d, %d x %d: %.1f frames/s, an empty RViz (%d x %d) %.1f, ratio %.2f\n", round, size.width(),
-                size.height(), shown, stage.picture().width(), stage.picture().height(), empty, ratios.back());
+    const Pace empty = stage.pace(seconds);
+    ratios.push_back(shown.frames_per_second / empty.frames_per_second);
+    std::printf(
+        "round %d, %d x %d: %.1f frames/s of %.1f ms CPU each, an empty RViz (%d x %d) %.1f of %.1f ms, ratio %.2f\n",
+        round, size.width(), size.height(), shown.frames_per_second, 1e3 * shown.cpu_a_frame, stage.picture().width(),
+        stage.picture().height(), empty.frames_per_second, 1e3 * empty.cpu_a_frame, ratios.back());
     std::fflush(stdout);
   }
   std::printf("ratio, median of %d: %.2f\n", rounds, median(ratios));

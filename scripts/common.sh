@@ -57,14 +57,25 @@ free_port() {
 
 # start_graph: a ROS graph and a ROS_HOME of its own; what is added to `pids` ends with the script.
 start_graph() {
-  stay_on_loopback "$(free_port)"
+  local core
   ROS_HOME=$(mktemp -d)
   export ROS_HOME
   pids=()
   trap 'kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"' EXIT
-  roscore -p "${ROS_MASTER_URI##*:}" > /dev/null 2>&1 &
-  pids+=($!)
-  until rosparam list > /dev/null 2>&1; do sleep 0.2; done
+  for _ in 1 2 3 4 5; do  # somebody else may take the port between the search for it and roscore
+    stay_on_loopback "$(free_port)"
+    roscore -p "${ROS_MASTER_URI##*:}" > "$ROS_HOME/roscore.log" 2>&1 &
+    core=$!
+    pids+=("$core")
+    for _ in $(seq 100); do
+      kill -0 "$core" 2> /dev/null || break
+      timeout 5 rosparam list > /dev/null 2>&1 && return
+      sleep 0.2
+    done
+    kill "$core" 2> /dev/null || true
+  done
+  cat "$ROS_HOME/roscore.log" >&2
+  fail "roscore does not start"
 }
 
 # start_display: a virtual screen that software OpenGL can draw on; sets DISPLAY and display_pid.
