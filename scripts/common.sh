@@ -55,27 +55,32 @@ free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
+# start_core LOG: a ROS master on loopback that answers; sets core_pid.
+start_core() {
+  local deadline
+  for _ in 1 2 3 4 5; do  # somebody else may take the port between the search for it and roscore
+    stay_on_loopback "$(free_port)"
+    roscore -p "${ROS_MASTER_URI##*:}" > "$1" 2>&1 &
+    core_pid=$!
+    deadline=$((SECONDS + 30))
+    while [ "$SECONDS" -lt "$deadline" ] && kill -0 "$core_pid" 2> /dev/null; do
+      timeout 5 rosparam list > /dev/null 2>&1 && return
+      sleep 0.2
+    done
+    kill "$core_pid" 2> /dev/null || true
+  done
+  cat "$1" >&2
+  fail "roscore does not start"
+}
+
 # start_graph: a ROS graph and a ROS_HOME of its own; what is added to `pids` ends with the script.
 start_graph() {
-  local core
   ROS_HOME=$(mktemp -d)
   export ROS_HOME
   pids=()
   trap 'kill "${pids[@]}" 2> /dev/null || true; wait; rm -rf "$ROS_HOME"' EXIT
-  for _ in 1 2 3 4 5; do  # somebody else may take the port between the search for it and roscore
-    stay_on_loopback "$(free_port)"
-    roscore -p "${ROS_MASTER_URI##*:}" > "$ROS_HOME/roscore.log" 2>&1 &
-    core=$!
-    pids+=("$core")
-    for _ in $(seq 100); do
-      kill -0 "$core" 2> /dev/null || break
-      timeout 5 rosparam list > /dev/null 2>&1 && return
-      sleep 0.2
-    done
-    kill "$core" 2> /dev/null || true
-  done
-  cat "$ROS_HOME/roscore.log" >&2
-  fail "roscore does not start"
+  start_core "$ROS_HOME/roscore.log"
+  pids+=("$core_pid")
 }
 
 # start_display: a virtual screen that software OpenGL can draw on; sets DISPLAY and display_pid.

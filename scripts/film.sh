@@ -85,11 +85,8 @@ enter_devel
 
 mkdir -p "$(dirname "$log")" && : > "$log"
 say "filming $name, $seconds s"
-stay_on_loopback "$(free_port)"
 start_display "$size"
-roscore -p "${ROS_MASTER_URI##*:}" > "$work/core.log" 2>&1 &
-core_pid=$!
-for _ in $(seq 100); do rosparam list > /dev/null 2>&1 && break; sleep 0.1; done
+start_core "$work/core.log"
 # A step of the node is a frame.
 rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $fps / $speed}")"
 roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
