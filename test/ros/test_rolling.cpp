@@ -119,7 +119,8 @@ TEST(Rolling, theTwoCurvesAreRolledOffEachOther) {
     const Marker& polhode = drawn.get("space/polhode");
     const int half_periods = halfPeriodsOf(herpolhode, normalOf(drawn.get("space/invariable_plane")));
     ASSERT_GE(half_periods, 1);
-    EXPECT_NEAR(length(herpolhode) / (0.5 * half_periods * length(polhode)), 1, 5e-3);
+    EXPECT_NEAR(length(herpolhode) / (0.5 * half_periods * length(polhode)), 1, 5e-3)
+        << "the herpolhode as drawn is not as long as the polhode that it is rolled off";
 
     // The same of the tip itself, on its way over plane and body.
     double on_plane = 0, on_body = 0;
@@ -132,7 +133,7 @@ TEST(Rolling, theTwoCurvesAreRolledOffEachOther) {
       last = tip;
       last_body = body;
     }
-    EXPECT_NEAR(on_plane / on_body, 1, 1e-5);
+    EXPECT_NEAR(on_plane / on_body, 1, 1e-5) << "the tip of omega goes further over one than over the other";
     EXPECT_GT(on_plane, 0.1);
   }
 }
@@ -148,7 +149,9 @@ TEST(Rolling, theHerpolhodeIsOnThePlaneWhereTheTipComesBy) {
     const double lift = placed(line, 0).dot(normal) / height;
     EXPECT_GT(lift, 1);
     EXPECT_LT(lift, 1.02);
-    for (std::size_t i = 0; i < line.points.size(); ++i) EXPECT_NEAR(placed(line, i).dot(normal) / height, lift, 1e-12);
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      EXPECT_NEAR(placed(line, i).dot(normal) / height, lift, 1e-12) << "point " << i << " is off the plane";
+    }
   }
   Drawn steady({1, 2, 3}, {0, 2, 0});
   EXPECT_EQ(steady.get("space/herpolhode").type, Marker::SPHERE_LIST);

@@ -65,7 +65,7 @@ TEST(Herpolhode, liesOnThePlaneInItsAnnulusAndTheTipOfOmegaFollowsIt) {
     closed += h.curve.closed;
     double inner = plane.longest, outer = 0;
     for (const Vector3d& p : points) {
-      EXPECT_NEAR(p.dot(plane.normal) / plane.distance, 1, 1e-12);
+      EXPECT_NEAR(p.dot(plane.normal) / plane.distance, 1, 1e-12) << "a point is off the invariable plane";
       inner = std::min(inner, radiusOf(p, plane));
       outer = std::max(outer, radiusOf(p, plane));
     }
