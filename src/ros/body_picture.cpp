@@ -56,9 +56,8 @@ constexpr std::size_t kPiecePoints = 256;  // 16384 together
 constexpr double kPathTolerance = 0.002;   // m
 constexpr double kPathSpacing = 0.2;       // m, at most
 const ros::Duration kPathPause(0.25);
-constexpr int kStillCurvePoints = 128;
-constexpr int kMovingCurvePoints = 96;    // of curves that are sent again and again:
-const ros::Duration kCurvesPause(0.25);   // that often at least,
+constexpr int kCurvePoints = 72;          // the middle of a chord of a circle of 1 m is 1 mm inside it
+const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
 constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
@@ -200,7 +199,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       may_flip_(closed_form_ && view::flipsOf(*closed_form_, 0, 1).flips),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
-      polhode_(view::polhode(inertia_.moments(), omega_principal_, kStillCurvePoints)),
+      polhode_(view::polhode(inertia_.moments(), omega_principal_, kCurvePoints)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
       trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
       path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
@@ -237,7 +236,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   if (effects_) effects_->appendStatic(out);
   if (torqued_ || atRest()) return;  // nothing more that stands still
   const std::vector<view::Curve> separatrix =
-      view::separatrix(inertia_.moments(), start_.kinetic_energy, kStillCurvePoints);
+      view::separatrix(inertia_.moments(), start_.kinetic_energy, kCurvePoints);
   for (const Picture& picture : pictures()) {
     appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
     appendCurves(picture, polhode_, separatrix, out);
@@ -416,8 +415,8 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
   curves_shown_ = tick.stamp;
   curves_energy_size_ = energy_size;
   curves_momentum_size_ = momentum_size;
-  const view::Polhode polhode = view::polhode(moments, omega, kMovingCurvePoints);
-  const std::vector<view::Curve> separatrix = view::separatrix(moments, kinetic_energy, kMovingCurvePoints);
+  const view::Polhode polhode = view::polhode(moments, omega, kCurvePoints);
+  const std::vector<view::Curve> separatrix = view::separatrix(moments, kinetic_energy, kCurvePoints);
   MarkerArray curves;
   for (const Picture& picture : pictures()) {
     appendCurves(picture, polhode, separatrix, curves);
