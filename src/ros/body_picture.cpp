@@ -53,6 +53,7 @@ constexpr double kPathHeight = 0.016;
 constexpr double kPathWidth = 0.018;
 constexpr std::size_t kPathPieces = 64;
 constexpr std::size_t kPiecePoints = 256;  // 16384 together
+constexpr std::size_t kPathPiecesAtOnce = 16;
 constexpr double kPathTolerance = 0.002;   // m
 constexpr double kPathSpacing = 0.2;       // m, at most
 const ros::Duration kPathPause(0.25);
@@ -212,7 +213,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
     scale_ = view::pictureScale(reach_.semi_axis, reach_.momentum);
   }
   const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
-  if (std::all_of(body.effects.begin(), body.effects.end(), is_inside)) path_semi_axis_ = reach_.semi_axis;
+  path_rides_ = std::all_of(body.effects.begin(), body.effects.end(), is_inside);
   layout_ = keep ? keep->layout
                  : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
                                   omega_principal_, inertia_.axes().conjugate() * reach_.omega_later);
@@ -493,11 +494,11 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
       axes * (energy_normal.stableNormalized() + momentum_normal.stableNormalized()).stableNormalized();
   appendTrail(omega_metres + kTorquedTrailHeight * normal, out);
   const std::size_t before = path_.endPiece();
-  // While a slug takes momentum up or gives it back, |MΩ| changes: all of the spiral is drawn on the largest ellipsoid
-  // of MΩ to come, or later ones would hide it.
-  const double semi_axis = energy_normal.norm() / (scale_.metres_per_radian_per_second * inertia_.moments().minCoeff());
-  const double lift = path_semi_axis_ > semi_axis && semi_axis > 0 ? path_semi_axis_ / semi_axis : 1;
-  path_.add(lift * omega_metres + kPathHeight * normal);
+  // While a slug takes momentum up or gives it back, |MΩ| changes: the spiral is kept on an ellipsoid of 1 m and drawn
+  // on the present one, which would hide it or leave it in the air else.
+  const double semi_axis = energy_normal.norm() / inertia_.moments().minCoeff();
+  const double size = path_rides_ && semi_axis > 0 ? semi_axis / view::kPictureRadius : 1;
+  path_.add(omega_metres / size + kPathHeight * normal);
   const std::string ns = brush_.ns(names::kTrail);
   if (path_jumped_) stage_.withdraw(ns, 1, out);
   const auto send = [&](std::size_t k) {
@@ -506,7 +507,7 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
     // A new piece takes the place of the one that has gone.
     Marker piece = brush_.marker(ns, 1 + static_cast<int>(k % kPathPieces), Marker::LINE_STRIP, brush_.frames().model);
     piece.points.reserve(points.size());
-    for (const Eigen::Vector3d& p : points) piece.points.push_back(toPoint(p));
+    for (const Eigen::Vector3d& p : points) piece.points.push_back(toPoint(size * p));
     piece.scale.x = kPathWidth;
     piece.color = palette::path();
     piece.frame_locked = true;
@@ -518,8 +519,14 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
   if (!due(path_shown_, tick.stamp, kPathPause)) return;
   path_shown_ = tick.stamp;
   send(last);
-  // The others once more in turn, for who came later.
   if (last == path_.firstPiece()) return;
+  if (differ(size, path_size_)) {
+    path_size_ = size;
+    const std::size_t first = last > kPathPiecesAtOnce ? last - kPathPiecesAtOnce : 0;
+    for (std::size_t k = std::max(path_.firstPiece(), first); k < last; ++k) send(k);
+    return;
+  }
+  // The others once more in turn, for who came later.
   path_turn_ = path_turn_ + 1 < last && path_turn_ + 1 >= path_.firstPiece() ? path_turn_ + 1 : path_.firstPiece();
   send(path_turn_);
 }

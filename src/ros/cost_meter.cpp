@@ -20,14 +20,20 @@ constexpr int kRenewAfterTicks = 20;
 constexpr double kShortTick = 20e-6;  // CPU s
 constexpr int kWarmingTicks = 5, kReplayedTicks = 20;
 
-/** Cost of the ticks that come after `time`, if the motion has states there. */
+/** CPU time of `ticks` ticks after `time`, which moves on [s]. */
+double timed(Motion& motion, double& time, double tick, int ticks) {
+  const double begin = threadCpuTime();
+  for (int i = 0; i < ticks; ++i) motion.at(time += tick);
+  return std::max(threadCpuTime() - begin - cost::clockCost(), 0.0);
+}
+
+/** Cost of the ticks that come after `time`, if they are short and the motion has states there. */
 std::optional<double> replayed(Motion motion, double time, double tick) {
   try {
-    for (int i = 1; i <= kWarmingTicks; ++i) motion.at(time + i * tick);
-    const double begin = threadCpuTime();
-    for (int i = 1; i <= kReplayedTicks; ++i) motion.at(time + (kWarmingTicks + i) * tick);
-    const double cpu = threadCpuTime() - begin - cost::clockCost();
-    return std::max(cpu, 0.0) / (kReplayedTicks * std::abs(tick));
+    timed(motion, time, tick, 1);  // what is slow only because others have filled the caches is quick after this
+    if (timed(motion, time, tick, 1) > kShortTick) return std::nullopt;
+    timed(motion, time, tick, kWarmingTicks);
+    return timed(motion, time, tick, kReplayedTicks) / (kReplayedTicks * std::abs(tick));
   } catch (const std::runtime_error&) {  // the tick that gets there says so
     return std::nullopt;
   }
@@ -63,8 +69,7 @@ void CostMeter::add(double cpu, double simulated, double time, const Motion& mot
   simulated_ += std::abs(simulated);
   ++ticks_;
   if (simulated_ < kRenewAfter || ticks_ < kRenewAfterTicks) return;
-  const double measured = cpu_ / simulated_;
-  cost_ = cpu_ / ticks_ < kShortTick ? replayed(motion, time, simulated).value_or(measured) : measured;
+  cost_ = replayed(motion, time, simulated).value_or(cpu_ / simulated_);
   cpu_ = simulated_ = ticks_ = 0;
 }
 

@@ -25,7 +25,7 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kRefreshEvery = 66;   // ms
+constexpr int kRefreshEvery = 100;  // ms
 constexpr int kGoodNewsFor = 5000;  // ms
 constexpr int kTroubleFor = 15000;  // ms
 constexpr int kWidth = 330;

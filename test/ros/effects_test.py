@@ -256,6 +256,19 @@ class EffectsTest(unittest.TestCase):
             self.assertLess(sum(len(p) for p in pieces.values()), 0.25 * len(self.arrays), "a few times a second")
         self.assertFalse([key for key in self.drawn if key[0] == "free/trail" and key[1] > 0])
 
+    def test_path_of_a_dissipating_body_grows_with_the_momentum_ellipsoid(self):
+        ellipsoids = {m.header.stamp.to_nsec(): m for m in self.drawn["flat_spin/model/momentum_ellipsoid", 0]}
+        sizes, values = [], []
+        for m, s in self.added("flat_spin/trail", 1):
+            ellipsoid = ellipsoids[m.header.stamp.to_nsec()]
+            semi = array(ellipsoid.scale) / 2
+            sizes.append(max(semi))
+            above = (1 + 0.02 * max(semi) / min(semi)) ** 2 - 1  # by 2 cm at the most
+            values += [off_ellipsoid(ellipsoid, array(p)) / above for p in m.points]
+        self.assertGreater(max(sizes), 1.1 * min(sizes))  # else this test would say nothing
+        self.assertGreater(min(values), 0)
+        self.assertLess(max(values), 1)
+
     def test_labels_have_energies_and_no_error(self):
         for body in TORQUED:
             texts = {m.text for (ns, _), all_of_it in self.drawn.items() if ns == body + "/label" for m in all_of_it}

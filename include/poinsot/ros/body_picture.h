@@ -131,7 +131,8 @@ class BodyPicture {
   // Of a body under torques.
   std::optional<EffectMarkers> effects_;
   view::Path path_;
-  double path_semi_axis_ = 0;  ///< |MΩ|/μmin of the ellipsoid that it is drawn on [rad/s]; 0: of its moment
+  bool path_rides_ = false;    ///< on the present momentum ellipsoid: it grows and shrinks with it
+  double path_size_ = 1;       ///< at which all of it was last drawn
   bool path_jumped_ = false;   ///< what was shown of it is no more
   std::optional<ros::Time> path_shown_, curves_shown_;
   std::size_t path_turn_ = 0;                                 ///< the piece that was sent once more

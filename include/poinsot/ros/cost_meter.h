@@ -14,8 +14,8 @@ class CostMeter {
   CostMeter(Motion motion, double rate);
 
   /**
-   * Takes what the last tick cost. Now and then a short tick is played again, with a copy of the motion, a few times in
-   * a row: alone it costs more for caches that others have filled meanwhile than for the motion.
+   * Takes what the last tick cost. Now and then ticks are played on with a copy of the motion: where they prove short,
+   * a few in a row are the figure, for one alone costs more for caches that others have filled than for the motion.
    * @param cpu [s], the difference of two calls of cost::threadCpuTime().
    * @param motion now at `time`, to which it was moved by `simulated` [s, either direction].
    */
