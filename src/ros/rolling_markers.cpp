@@ -25,7 +25,7 @@ constexpr double kArcWidth = 0.018;
 constexpr double kArcBeyond = 0.09;   // outside the herpolhode
 constexpr double kArcSpacing = 0.05;  // rad
 constexpr double kLeastHerpolhode = 0.02;
-constexpr double kTurnHeight = 0.13;
+constexpr double kTurnHeight = 0.17;
 constexpr int kDiscPieces = 40;
 // Ids within <body>/space/montgomery.
 enum MontgomeryId { kSector, kWords };
