@@ -446,7 +446,7 @@ NOTHING = 1e-12
 # last digit that the scene's comment gives, or what the sampling leaves.
 PROMISES = {
     "dzhanibekov": (flips("dzhanibekov", "wingnut", 2), [(5.1, .05)] * 2),
-    "regimes": (regimes, [(0, 20), (180, 20), (0, 20)]),
+    "regimes": (regimes, [(0, 10), (180, 20), (0, 10)]),
     "separatrix": (separatrix, [(1, 0), (6.0, .05), (-3, 1e-3), (15.7, .05), (15.7, .05), (0, 0), (0, 0)]),
     "t_handle": (flips("t_handle", "t_handle", 2), [(9.4, .05)] * 2),
     "phone": (phone, [(2.1, .05)] + [(3.76, .01)] * 2 + [(7.06e-5, 5e-8), (2.949e-4, 5e-8), (3.640e-4, 5e-8)]),
