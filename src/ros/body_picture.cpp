@@ -65,6 +65,11 @@ constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
 constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
+/** Seen from x, and seen from above too. */
+Eigen::Vector3d belowTitle(double depth) {
+  return {depth, 0, -depth};
+}
+
 constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideTorque = 0.25;
 constexpr double kBesideBead = 0.28;
@@ -245,7 +250,8 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   const double metres = scale_.metres_per_radian_per_second;
   appendFamily(brush_, inertia_, omega_principal_, metres, out);
   // Below the picture in body axes, where the polhode is: below the other one the next body's L may stand.
-  const Eigen::Vector3d words_place = layout_.model_centre - Eigen::Vector3d(0, 0, title_depth_ + kTurnDepth);
+  const Eigen::Vector3d words_place =
+      layout_.model_centre - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kTurnDepth);
   appendRolling(brush_, *closed_form_, metres, words_place, out);
   appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
@@ -333,9 +339,8 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
                             (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
   stage_.withdrawOne(brush_.ns(names::kLabel), kFlips, out);
-  const double down = title_depth_ + kFiguresDepth;
-  Marker label =
-      brush_.text(kFigures, names::kWorld, start_.position - Eigen::Vector3d(0, 0, down), words, kFiguresHeight);
+  const Eigen::Vector3d place = start_.position - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kFiguresDepth);
+  Marker label = brush_.text(kFigures, names::kWorld, place, words, kFiguresHeight);
   label.header.stamp = tick.stamp;
   out.markers.push_back(label);
 }
@@ -348,8 +353,8 @@ void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, MarkerArra
   flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), tick.time, direction_),
                         polhode_.regime == view::Regime::separatrix);
   if (figures_shown_) return;  // they tell it
-  const Eigen::Vector3d down(0, 0, -title_depth_ - kFlipsDepth);
-  stage_.put(brush_.text(kFlips, names::kWorld, start_.position + down, flips_, kFlipsHeight), out);
+  const Eigen::Vector3d place = start_.position - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kFlipsDepth);
+  stage_.put(brush_.text(kFlips, names::kWorld, place, flips_, kFlipsHeight), out);
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {

@@ -202,7 +202,10 @@ void Panel::follow() {
 
 void Panel::onStatus(const NodeStatus& status) {
   const QString scene = QString::fromStdString(status.scene);
-  if (scene_name_ && *scene_name_ != scene) views_->loadViewsOf(scene);
+  if (scene_name_ && *scene_name_ != scene) {
+    views_->loadViewsOf(scene);
+    if (!said_trouble_) said_.clear();  // that it was being made ready
+  }
   scene_name_ = scene;
   busy_ = QString::fromStdString(status.busy);
   const QString refused = QString::fromStdString(status.refused);

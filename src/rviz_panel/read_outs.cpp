@@ -49,7 +49,7 @@ ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
   grid_->addWidget(momentum_drift_, 1, 2);
   attitude_error_ = addRow(dot(colours::kAttitudeError) + "true error", "attitude_error",
                            "The angle between the attitude as published and the closed form at the same t.");
-  flips_ = addRow("flips", "flips", "How often the body has turned over since t = 0; negative before it.");
+  flips_ = addRow("flips", "flips", "How often the body turns over from t = 0 to now, by the closed form; negative before it.");
   next_flip_ = valueLabel("next_flip", "Simulated seconds to the next flip, in the direction of play.");
   grid_->addWidget(next_flip_, 3, 2);
   cost_ = addRow("cost", "cost", "CPU time that the motion takes per simulated second, measured.");
@@ -86,19 +86,22 @@ void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
   for (const BodyStatus& shown : status.bodies) {
     if (QString::fromStdString(shown.name) != body) continue;
     regime_->setFullText(QString::fromStdString(shown.regime));
+    bool in_one = true;  // the words need more room than the figures
+    QString flips, next;
     if (std::isnan(shown.time_to_next_flip)) {
-      setText(flips_, "not foreseen under torque");
-      setText(next_flip_, "");
+      flips = "not foreseen under torque";
     } else if (!shown.flips) {
-      setText(flips_, "it does not turn over");
-      setText(next_flip_, "");
+      flips = "it does not turn over";
     } else {
-      setText(flips_, text::plain(static_cast<double>(shown.flips_since_start), 15));
-      setText(next_flip_, std::isinf(shown.time_to_next_flip) ? QString("none to come")
-                                                              : "next in " + text::seconds(shown.time_to_next_flip));
+      flips = text::plain(static_cast<double>(shown.flips_since_start), 15);
+      next = std::isinf(shown.time_to_next_flip) ? QString("none to come")
+                                                 : "next in " + text::seconds(shown.time_to_next_flip);
+      in_one = shown.method != "closed_form";  // what such a method makes of it may be another thing
+      if (in_one) flips = "by closed form " + flips + ", " + next;
     }
-    // The words need more room than the figures.
-    grid_->addWidget(flips_, 3, 1, 1, shown.flips && !std::isnan(shown.time_to_next_flip) ? 1 : 2);
+    setText(flips_, flips);
+    setText(next_flip_, in_one ? QString() : next);
+    grid_->addWidget(flips_, 3, 1, 1, in_one ? 2 : 1);
     return;
   }
 }

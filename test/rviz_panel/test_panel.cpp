@@ -284,6 +284,14 @@ TEST_F(Panel, resets) {
   EXPECT_EQ(heard->state.time_rate, 1);
 }
 
+TEST_F(Panel, resetsToPlayForwards) {
+  press<QToolButton>("backwards");
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == -1 && state.time < 0; }));
+  press<QPushButton>("reset");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 1 && state.time > 0 && state.time < 30; }));
+  EXPECT_FALSE(find<QToolButton>("backwards")->isChecked());
+}
+
 TEST_F(Panel, aMethodThatDriftsIsSeenToDrift) {
   EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "0 rad"; }));
   pick("method", "lie_euler");
@@ -301,6 +309,7 @@ TEST_F(Panel, aMethodThatDriftsIsSeenToDrift) {
     return text.endsWith(" rad") && text != "0 rad";
   }));
   EXPECT_TRUE(until([] { return find<QLineEdit>("method_step")->isEnabled(); }));
+  EXPECT_TRUE(until([] { return find<QLabel>("flips")->text().startsWith("by closed form "); }));
   spin(3);
   shown->picture("panel_lie_euler");
   pick("method", "closed_form");
