@@ -73,7 +73,9 @@ void CostMeter::add(double cpu, double simulated, double time, const Motion& mot
   simulated_ += std::abs(simulated);
   ++ticks_;
   if (simulated_ < kRenewAfter || ticks_ < kRenewAfterTicks) return;
-  cost_ = replayed(motion, time, simulated).value_or(cpu_ / simulated_);
+  // Of the last tick alone, which may be a sliver of time at a pause, there is nothing to learn.
+  const double tick = std::copysign(simulated_ / ticks_, simulated);
+  cost_ = replayed(motion, time, tick).value_or(cpu_ / simulated_);
   cpu_ = simulated_ = ticks_ = 0;
 }
 
