@@ -65,9 +65,9 @@ constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
 constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
-/** Seen from x, and seen from above too. */
+/** For a viewer at +x who looks down a little, by `depth` [m]; for one who looks straight down too. */
 Eigen::Vector3d belowTitle(double depth) {
-  return {depth, 0, -depth};
+  return {depth, 0, -0.75 * depth};
 }
 
 constexpr double kBesideArrow = 0.17;  // m
