@@ -257,10 +257,10 @@ def wingnut():
     """Of scenes/dzhanibekov.yaml: hub along z, wings in the xz plane that rise outwards by .7 rad."""
     mesh, down = Mesh(), (0, 0, -.1057)
     hub = [(.15, -.45), (.27, -.45), (.29, -.43), (.29, -.36), (.265, -.33), (.24, .40), (.22, .45), (.15, .45)]
-    mesh.lathe(STEEL, hub, down, segments=24)
+    mesh.lathe(STEEL, hub, down, segments=20)
     pitch, deep = .1, .3  # the thread, as far in as one can look from either end
     thread = [(.15 if k % 2 == 0 else .125, .45 - .5 * pitch * k) for k in range(round(2 * deep / pitch) + 1)]
-    mesh.lathe(DARK, thread + [(r, -z) for r, z in reversed(thread)], down, segments=16)
+    mesh.lathe(DARK, thread + [(r, -z) for r, z in reversed(thread)], down, segments=12)
     for side, colour in ((1, VERMILION), (-1, BRIGHT)):
         turn = about_y(-side * .7)
 
@@ -268,8 +268,8 @@ def wingnut():
             q = turn((side * (.5 * .9 + p[0]), 0, p[1]))
             return (q[0] + side * .224, -side * p[2], q[2] + down[2])
 
-        mesh.plate(oval(.45, .375, 30), .12, colour, colour, colour, place, bevel=.04)
-        ear = [scaled(p, .55) for p in oval(.45, .375, 22)]
+        mesh.plate(oval(.45, .375, 26), .12, colour, colour, colour, place, bevel=.04)
+        ear = [scaled(p, .55) for p in oval(.45, .375, 18)]
         ear = [(x + .06, y) for x, y in ear]
         mesh.plate(ear, .135, *([scaled(colour, .82)] * 3), place=place)
     return mesh

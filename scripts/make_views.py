@@ -253,7 +253,7 @@ def view(recording, setting, ride):
     fields = {
         "wide": "%.2f" % wide(recording.spheres, setting["pitch"], focal),
         "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
-        "floor_cells": "%d" % (12 if distance < 8 else 15 if distance < 15 else 20),
+        "floor_cells": "%d" % (8 if distance < 8 else 10 if distance < 15 else 14),
         "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
         "hidden_motion": hidden(recording.namespaces[1], setting["bodies"]),
         "current": indented(overview.replace("Name: Overview", "Name: Current View"), " " * 6, " " * 6),
