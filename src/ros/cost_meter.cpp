@@ -19,6 +19,7 @@ constexpr double kLongestTrial = 1e9;  // s
 constexpr double kRenewAfter = 1.0;    // simulated seconds
 constexpr int kRenewAfterTicks = 20;
 constexpr double kShortTick = 20e-6;  // CPU s
+constexpr double kLongTick = 1e-3;    // CPU s: no cache makes it so
 constexpr int kRuns = 3, kReplayedTicks = 20;
 
 /** Least CPU time, of three runs, of `ticks` ticks: an interrupt may be charged to the thread that it interrupts. */
@@ -73,9 +74,10 @@ void CostMeter::add(double cpu, double simulated, double time, const Motion& mot
   simulated_ += std::abs(simulated);
   ++ticks_;
   if (simulated_ < kRenewAfter || ticks_ < kRenewAfterTicks) return;
+  const double measured = cpu_ / simulated_;
   // Of the last tick alone, which may be a sliver of time at a pause, there is nothing to learn.
   const double tick = std::copysign(simulated_ / ticks_, simulated);
-  cost_ = replayed(motion, time, tick).value_or(cpu_ / simulated_);
+  cost_ = cpu_ / ticks_ > kLongTick ? measured : replayed(motion, time, tick).value_or(measured);
   cpu_ = simulated_ = ticks_ = 0;
 }
 

@@ -49,7 +49,8 @@ ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
   grid_->addWidget(momentum_drift_, 1, 2);
   attitude_error_ = addRow(dot(colours::kAttitudeError) + "true error", "attitude_error",
                            "The angle between the attitude as published and the closed form at the same t.");
-  flips_ = addRow("flips", "flips", "How often the body turns over from t = 0 to now, by the closed form; negative before it.");
+  flips_ = addRow("flips", "flips",
+                  "How often the body turns over from t = 0 to now, by the closed form; negative before it.");
   next_flip_ = valueLabel("next_flip", "Simulated seconds to the next flip, in the direction of play.");
   grid_->addWidget(next_flip_, 3, 2);
   cost_ = addRow("cost", "cost", "CPU time that the motion takes per simulated second, measured.");

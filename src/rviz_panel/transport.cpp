@@ -60,7 +60,8 @@ void Transport::buildButtons() {
   auto* const row = new QHBoxLayout;
   row->setSpacing(4);
   reset_ = new QPushButton(style()->standardIcon(QStyle::SP_MediaSkipBackward), "&Reset");
-  describe(reset_, "reset", "Back to t = 0 and the spins of the scene, to play forwards. Methods, pause and speed stay as they are.");
+  describe(reset_, "reset",
+           "Back to t = 0 and the spins of the scene, to play forwards. Methods, pause and speed stay as they are.");
   play_ = new QPushButton(style()->standardIcon(QStyle::SP_MediaPause), "&Pause");
   describe(play_, "play", "Pause, or play on.");
   step_ = new QPushButton(style()->standardIcon(QStyle::SP_MediaSeekForward), "S&tep");
