@@ -65,11 +65,6 @@ constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
 constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
-/** For a viewer at +x who looks down a little, by `depth` [m]; for one who looks straight down too. */
-Eigen::Vector3d belowTitle(double depth) {
-  return {depth, 0, -0.75 * depth};
-}
-
 constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideTorque = 0.25;
 constexpr double kBesideBead = 0.28;
@@ -250,9 +245,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   const double metres = scale_.metres_per_radian_per_second;
   appendFamily(brush_, inertia_, omega_principal_, metres, out);
   // Below the picture in body axes, where the polhode is: below the other one the next body's L may stand.
-  const Eigen::Vector3d words_place =
-      layout_.model_centre - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kTurnDepth);
-  appendRolling(brush_, *closed_form_, metres, words_place, out);
+  appendRolling(brush_, *closed_form_, metres, belowTitle(layout_.model_centre, kTurnDepth), out);
   appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
@@ -303,6 +296,10 @@ void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polh
   }
 }
 
+Eigen::Vector3d BodyPicture::belowTitle(const Eigen::Vector3d& centre, double depth) const {
+  return centre + Eigen::Vector3d(depth, 0, -title_depth_ - 0.75 * depth);
+}
+
 void BodyPicture::appendTitles(MarkerArray& out) const {
   const Eigen::Vector3d down(0, 0, -title_depth_);
   out.markers.push_back(brush_.text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
@@ -339,8 +336,8 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
                             (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
   stage_.withdrawOne(brush_.ns(names::kLabel), kFlips, out);
-  const Eigen::Vector3d place = start_.position - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kFiguresDepth);
-  Marker label = brush_.text(kFigures, names::kWorld, place, words, kFiguresHeight);
+  Marker label =
+      brush_.text(kFigures, names::kWorld, belowTitle(start_.position, kFiguresDepth), words, kFiguresHeight);
   label.header.stamp = tick.stamp;
   out.markers.push_back(label);
 }
@@ -353,8 +350,7 @@ void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, MarkerArra
   flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), tick.time, direction_),
                         polhode_.regime == view::Regime::separatrix);
   if (figures_shown_) return;  // they tell it
-  const Eigen::Vector3d place = start_.position - Eigen::Vector3d(0, 0, title_depth_) + belowTitle(kFlipsDepth);
-  stage_.put(brush_.text(kFlips, names::kWorld, place, flips_, kFlipsHeight), out);
+  stage_.put(brush_.text(kFlips, names::kWorld, belowTitle(start_.position, kFlipsDepth), flips_, kFlipsHeight), out);
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {
@@ -527,9 +523,9 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
   if (last == path_.firstPiece()) return;
   if (differ(size, path_size_)) {
     path_size_ = size;
-    const std::size_t first = last > kPathPiecesAtOnce ? last - kPathPiecesAtOnce : 0;
-    for (std::size_t k = std::max(path_.firstPiece(), first); k < last; ++k) send(k);
-    return;
+    const std::size_t first = std::max(path_.firstPiece(), last - std::min(last, kPathPiecesAtOnce));
+    for (std::size_t k = first; k < last; ++k) send(k);
+    if (first == path_.firstPiece()) return;
   }
   // The others once more in turn, for who came later.
   path_turn_ = path_turn_ + 1 < last && path_turn_ + 1 >= path_.firstPiece() ? path_turn_ + 1 : path_.firstPiece();

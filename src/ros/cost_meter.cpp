@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -20,24 +19,21 @@ constexpr double kRenewAfter = 1.0;    // simulated seconds
 constexpr int kRenewAfterTicks = 20;
 constexpr double kShortTick = 20e-6;  // CPU s
 constexpr double kLongTick = 1e-3;    // CPU s: no cache makes it so
-constexpr int kRuns = 3, kReplayedTicks = 20;
+constexpr int kWarmingTicks = 5, kReplayedTicks = 20;
 
-/** Least CPU time, of three runs, of `ticks` ticks: an interrupt may be charged to the thread that it interrupts. */
+/** CPU time of `ticks` ticks after `time`, which goes on to the last of them. */
 double timed(Motion& motion, double& time, double tick, int ticks) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < kRuns; ++run) {
-    const double begin = threadCpuTime();
-    for (int i = 0; i < ticks; ++i) motion.at(time += tick);
-    least = std::min(least, threadCpuTime() - begin - cost::clockCost());
-  }
-  return std::max(least, 0.0);
+  const double begin = threadCpuTime();
+  for (int i = 0; i < ticks; ++i) motion.at(time += tick);
+  return std::max(threadCpuTime() - begin - cost::clockCost(), 0.0);
 }
 
 /** Cost of the ticks that come after `time`, if they are short and the motion has states there. */
 std::optional<double> replayed(Motion motion, double time, double tick) {
   try {
-    // The first of them warms the caches.
-    if (timed(motion, time, tick, 1) > kShortTick) return std::nullopt;
+    double least = timed(motion, time, tick, 1);
+    for (int i = 1; i < kWarmingTicks; ++i) least = std::min(least, timed(motion, time, tick, 1));
+    if (least > kShortTick) return std::nullopt;
     return timed(motion, time, tick, kReplayedTicks) / (kReplayedTicks * std::abs(tick));
   } catch (const std::runtime_error&) {  // the tick that gets there says so
     return std::nullopt;

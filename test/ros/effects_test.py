@@ -259,7 +259,7 @@ class EffectsTest(unittest.TestCase):
     def test_path_of_a_dissipating_body_grows_with_the_momentum_ellipsoid(self):
         ellipsoids = {m.header.stamp.to_nsec(): m for m in self.drawn["flat_spin/model/momentum_ellipsoid", 0]}
         sizes, values = [], []
-        for m, s in self.added("flat_spin/trail", 1):
+        for m, _ in self.added("flat_spin/trail", 1):
             ellipsoid = ellipsoids[m.header.stamp.to_nsec()]
             semi = array(ellipsoid.scale) / 2
             sizes.append(max(semi))

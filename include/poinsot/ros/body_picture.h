@@ -94,6 +94,8 @@ class BodyPicture {
                         visualization_msgs::MarkerArray& out) const;
   void appendCurves(const Picture& picture, const view::Polhode& polhode, const std::vector<view::Curve>& separatrix,
                     visualization_msgs::MarkerArray& out) const;
+  /** By `depth` [m] for a viewer at +x who looks down a little; apart from the title also for one straight above. */
+  Eigen::Vector3d belowTitle(const Eigen::Vector3d& centre, double depth) const;
   void appendTitles(visualization_msgs::MarkerArray& out) const;
   std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                             const Eigen::Vector3d& torque_world) const;
