@@ -57,7 +57,7 @@ constexpr std::size_t kPathPiecesAtOnce = 16;
 constexpr double kPathTolerance = 0.002;   // m
 constexpr double kPathSpacing = 0.2;       // m, at most
 const ros::Duration kPathPause(0.25);
-constexpr int kCurvePoints = 64;          // the middle of a chord of a circle of 1 m is 1 mm inside it
+constexpr int kCurvePoints = 48;          // the middle of a chord of a circle of 1 m is 2 mm inside it
 const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at

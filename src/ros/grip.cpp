@@ -1,5 +1,8 @@
 #include "poinsot/ros/grip.h"
 
+#include <cmath>
+
+#include "poinsot/ros/brush.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/palette.h"
@@ -15,7 +18,33 @@ using visualization_msgs::Marker;
 
 constexpr double kDiameter = 0.24;  // m: the point of Ω within is 0.1
 constexpr float kAlpha = 0.35f;
+constexpr int kMeridians = 12, kParallels = 6;
 constexpr std::size_t kMostTouches = 1000;  // kept between two calls of take()
+
+/** Around what is drawn at Ω. Of a sixth of the triangles of RViz's own sphere, which software OpenGL feels. */
+Marker ball() {
+  Marker out;
+  out.type = Marker::TRIANGLE_LIST;
+  out.pose.orientation.w = 1;
+  out.scale = toVector3({1, 1, 1});
+  out.color = palette::translucent(palette::omega(), kAlpha);
+  const auto point = [](int parallel, int meridian) {
+    const double polar = M_PI * parallel / kParallels, around = 2 * M_PI * meridian / kMeridians;
+    return toPoint(0.5 * kDiameter *
+                   Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+                                   std::cos(polar)));
+  };
+  for (int j = 0; j < kParallels; ++j) {
+    for (int i = 0; i < kMeridians; ++i) {
+      const auto north_west = point(j, i), south_west = point(j + 1, i), south_east = point(j + 1, i + 1),
+                 north_east = point(j, i + 1);
+      if (j > 0) out.points.insert(out.points.end(), {north_west, south_west, north_east});
+      if (j + 1 < kParallels) out.points.insert(out.points.end(), {north_east, south_west, south_east});
+    }
+  }
+  makeUnlit(out);
+  return out;
+}
 
 Touch touch(Touch::Kind kind) {
   Touch out;
@@ -75,13 +104,6 @@ void Grip::make(const std::string& body, const std::string& frame, const Eigen::
   grip.pose.position = toPoint(point);
   grip.pose.orientation.w = 1;
 
-  Marker ball;
-  ball.type = Marker::SPHERE;
-  ball.pose.orientation.w = 1;
-  ball.scale = toVector3(Eigen::Vector3d::Constant(kDiameter));
-  ball.color = palette::omega();
-  ball.color.a = kAlpha;
-
   InteractiveMarkerControl control;
   control.name = "lead";
   control.description = "drag: lead Omega about; right click: spins to choose from";
@@ -89,7 +111,7 @@ void Grip::make(const std::string& body, const std::string& frame, const Eigen::
   control.interaction_mode = InteractiveMarkerControl::MOVE_3D;
   control.orientation.w = 1;
   control.always_visible = true;
-  control.markers.push_back(ball);
+  control.markers.push_back(ball());
   grip.controls.push_back(control);
 
   server_.insert(grip, [this](const Feedback& feedback) { add(feedback); });

@@ -20,10 +20,12 @@ using visualization_msgs::MarkerArray;
 constexpr double kLeastPlaneRadius = 0.5;
 constexpr double kBeyondHerpolhode = 0.22;
 constexpr double kHerpolhodeWidth = 0.009;
+constexpr double kHerpolhodeTolerance = 2e-3;  // relative to a picture's 1 m
+constexpr int kHerpolhodePoints = 1024, kHalfPeriods = 6;
 constexpr double kPointDiameter = 0.05;
 constexpr double kArcWidth = 0.018;
 constexpr double kArcBeyond = 0.09;   // outside the herpolhode
-constexpr double kArcSpacing = 0.05;  // rad
+constexpr double kArcSpacing = 0.1;  // rad
 constexpr double kLeastHerpolhode = 0.02;
 constexpr double kTurnHeight = 0.17;
 constexpr int kDiscPieces = 40;
@@ -73,7 +75,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
                    MarkerArray& out) {
   const view::InvariablePlane plane = view::invariablePlane(motion);
   if (plane.normal.isZero(0)) return;
-  const view::Herpolhode herpolhode = view::herpolhode(motion);
+  const view::Herpolhode herpolhode = view::herpolhode(motion, kHerpolhodePoints, kHalfPeriods, kHerpolhodeTolerance);
   const double outer = metres * herpolhode.outer;
   out.markers.push_back(discOf(brush, plane, metres, std::max(kLeastPlaneRadius, outer + kBeyondHerpolhode)));
 
