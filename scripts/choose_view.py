@@ -24,6 +24,9 @@ def main():
         print("there is no view %s; there are: %s" % (name, ", ".join(saved)), file=sys.stderr)
         return 2
     views["Current"] = dict(saved[name], Name="Current View")
+    for panel in config["Panels"]:
+        if panel["Class"] == "poinsot/Panel":
+            panel["View"] = name  # what the view leaves out
     nearer = re.search(r"Distance may be ([0-9]+\.[0-9]+)", text)
     if len(sys.argv) == 5:
         width, height = (int(x) for x in sys.argv[4].split("x"))

@@ -3,7 +3,8 @@
 
 Each is scripts/view_template.rviz with three cameras: Overview, which holds everything that the scene's markers reach in
 its first seconds, in a window of 4 : 3 with room for the panel and on a full screen; Riding, which turns with the body;
-Along L, which looks down the angular momentum on the picture in world axes. Where things are is asked of `simulate`, so
+Along L, which looks down the angular momentum on the picture in world axes. In the latter two the panel leaves out all
+but that picture. Where things are is asked of `simulate`, so
 this wants the package built and its devel/setup.bash sourced. The same files come out every time.
 """
 import glob
@@ -194,8 +195,8 @@ Yaw: %.3f""" % ((name, distance) + tuple(x + 0.0 for x in focal) + (near, pitch,
 
 
 def riding(body):
-    """On the ellipsoids of the picture in world axes: body axes rest, and the world turns. What passes between is cut."""
-    distance = 4.0
+    """On the ellipsoids of the picture in world axes: body axes rest, and the world turns."""
+    distance = 4.2
     direction = (-.80, .42, .42)
     length = math.sqrt(sum(x * x for x in direction))
     place = [distance * x / length for x in direction]
@@ -211,7 +212,7 @@ Point towards: arbitrary
 Position: {X: %.2f, Y: %.2f, Z: %.2f}
 Roll: 0
 Target Frame: %s
-Yaw: %.3f""" % (distance - 1.5, pitch, place[0], place[1], place[2], body + "_space_body", yaw)
+Yaw: %.3f""" % (1.5, pitch, place[0], place[1], place[2], body + "_space_body", yaw)
 
 
 def along_momentum(recording, body):
@@ -222,7 +223,7 @@ def along_momentum(recording, body):
     yaw = math.atan2(y, x)
     if math.hypot(x, y) < .12 * length:  # seen from above as good as along L, and not turned round
         pitch, yaw = 1.57, 0
-    return orbit("Along L", 4.6, (at.x, at.y, at.z), max(-1.57, min(1.57, pitch)), yaw % (2 * math.pi), near=2.6)
+    return orbit("Along L", 4.2, (at.x, at.y, at.z), max(-1.57, min(1.57, pitch)), yaw % (2 * math.pi), near=2.3)
 
 
 # --- files ----------------------------------------------------------------------------------------------------------
@@ -239,21 +240,31 @@ def hidden(namespaces, only_bodies):
     return ", ".join("%s: false" % ns for ns in sorted(namespaces) if not ns.endswith("/shape"))
 
 
+def left_out(recording, body, displays):
+    """All but the picture in world axes of that body, and these displays; for the panel's `Hidden`."""
+    names = ["%s: [%s]" % (display, ", ".join(sorted(ns for ns in namespaces if not ns.startswith(body + "/space/"))))
+             for display, namespaces in zip(("Still", "Motion"), recording.namespaces)]
+    return ", ".join(names + [display + ": true" for display in displays])
+
+
 def view(recording, setting, ride):
     distance, focal = fitted(recording.spheres, setting["pitch"])
     overview = orbit("Overview", distance, focal, setting["pitch"], 0)
-    saved = [overview]
+    saved, left = [overview], []
     if ride:
         body = recording.bodies[0] if ride is True else ride
         saved.append(riding(body))
+        left.append("Riding: {%s}" % left_out(recording, body, ["Floor", "Grip"]))
         if any((recording.states[body].momentum_world.x, recording.states[body].momentum_world.y,
                 recording.states[body].momentum_world.z)):
             saved.append(along_momentum(recording, body))
+            left.append("Along L: {%s}" % left_out(recording, body, ["Grip"]))
     lowest = min(p[2] - r for p, r in recording.spheres)
     fields = {
         "wide": "%.2f" % wide(recording.spheres, setting["pitch"], focal),
         "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
         "floor_cells": "%d" % (8 if distance < 8 else 10 if distance < 15 else 14),
+        "left_out": ", ".join(left),
         "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
         "hidden_motion": hidden(recording.namespaces[1], setting["bodies"]),
         "current": indented(overview.replace("Name: Overview", "Name: Current View"), " " * 6, " " * 6),

@@ -54,10 +54,11 @@ constexpr double kPathWidth = 0.018;
 constexpr std::size_t kPathPieces = 64;
 constexpr std::size_t kPiecePoints = 256;  // 16384 together
 constexpr std::size_t kPathPiecesAtOnce = 16;
-constexpr double kPathTolerance = 0.002;   // m
-constexpr double kPathSpacing = 0.2;       // m, at most
+constexpr double kPathTolerance = 0.002;  // m
+constexpr double kPathSpacing = 0.2;      // m, at most
 const ros::Duration kPathPause(0.25);
-constexpr int kCurvePoints = 48;          // the middle of a chord of a circle of 1 m is 2 mm inside it
+constexpr int kPolhodePoints = 64;        // the middle of a chord of a circle of 1 m is 1 mm inside it
+constexpr int kSeparatrixPoints = 48;     // 2 mm
 const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
@@ -200,7 +201,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       may_flip_(closed_form_ && view::flipsOf(*closed_form_, 0, 1).flips),
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
-      polhode_(view::polhode(inertia_.moments(), omega_principal_, kCurvePoints)),
+      polhode_(view::polhode(inertia_.moments(), omega_principal_, kPolhodePoints)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
       trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
       path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
@@ -237,7 +238,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   if (effects_) effects_->appendStatic(out);
   if (torqued_ || atRest()) return;  // nothing more that stands still
   const std::vector<view::Curve> separatrix =
-      view::separatrix(inertia_.moments(), start_.kinetic_energy, kCurvePoints);
+      view::separatrix(inertia_.moments(), start_.kinetic_energy, kSeparatrixPoints);
   for (const Picture& picture : pictures()) {
     appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
     appendCurves(picture, polhode_, separatrix, out);
@@ -335,7 +336,7 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   const std::string words = method_ + what +
                             (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
-  stage_.withdrawOne(brush_.ns(names::kLabel), kFlips, out);
+  stage_.withdrawOne(brush_.ns(kFlips), kFlips, out);
   Marker label =
       brush_.text(kFigures, names::kWorld, belowTitle(start_.position, kFiguresDepth), words, kFiguresHeight);
   label.header.stamp = tick.stamp;
@@ -387,7 +388,7 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
     for (const Marker& m : momentumMarkers(state.momentum_world, torque_world)) stage_.put(m, out);
   } else {
     stage_.withdraw(brush_.ns(names::kSpace, names::kAngularMomentum), 0, out);
-    stage_.withdrawOne(brush_.ns(names::kLabel), kMomentumSymbol, out);
+    stage_.withdrawOne(brush_.ns(kMomentumSymbol), kMomentumSymbol, out);
   }
 
   appendPath(tick, metres * state.omega_body, out);
@@ -398,8 +399,8 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
         stage_.withdraw(brush_.ns(picture, what), 0, out);
       }
     }
-    for (const int id : {kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol}) {
-      stage_.withdrawOne(brush_.ns(names::kLabel), id, out);
+    for (const LabelId id : {kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol}) {
+      stage_.withdrawOne(brush_.ns(id), id, out);
     }
     curves_shown_.reset();
     return;
@@ -417,8 +418,8 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
   curves_shown_ = tick.stamp;
   curves_energy_size_ = energy_size;
   curves_momentum_size_ = momentum_size;
-  const view::Polhode polhode = view::polhode(moments, omega, kCurvePoints);
-  const std::vector<view::Curve> separatrix = view::separatrix(moments, kinetic_energy, kCurvePoints);
+  const view::Polhode polhode = view::polhode(moments, omega, kPolhodePoints);
+  const std::vector<view::Curve> separatrix = view::separatrix(moments, kinetic_energy, kSeparatrixPoints);
   MarkerArray curves;
   for (const Picture& picture : pictures()) {
     appendCurves(picture, polhode, separatrix, curves);
@@ -443,7 +444,7 @@ void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const 
   // The arrow ends on the surface, where its own ellipsoids hide it: a pointer leads on to its name.
   const Eigen::Vector3d outwards = in_space.normalized();
   Marker pointer =
-      brush_.arrow(brush_.ns(names::kLabel), kOmegaPointer, space, in_space, in_space + kPointerLength * outwards);
+      brush_.arrow(brush_.ns(kOmegaPointer), kOmegaPointer, space, in_space, in_space + kPointerLength * outwards);
   pointer.color = palette::omega();
   out.markers.push_back(pointer);
   Marker symbol = brush_.text(

@@ -19,9 +19,21 @@ Marker Brush::marker(const std::string& ns, int id, int type, const std::string&
   return out;
 }
 
+std::string Brush::ns(LabelId id) const {
+  switch (id) {
+    case kMomentumSymbol:
+    case kOmegaPointer:
+    case kOmegaSymbol:
+    case kTorqueAtMomentumSymbol:
+      return ns(names::kSpace, names::kLabel);
+    default:
+      return ns(names::kLabel);
+  }
+}
+
 Marker Brush::text(LabelId id, const std::string& frame, const Eigen::Vector3d& place, const std::string& words,
                    double height) const {
-  Marker out = marker(ns(names::kLabel), id, Marker::TEXT_VIEW_FACING, frame);
+  Marker out = marker(ns(id), id, Marker::TEXT_VIEW_FACING, frame);
   out.pose.position = toPoint(place);
   out.text = words;
   out.scale.z = height;

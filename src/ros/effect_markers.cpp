@@ -124,14 +124,14 @@ void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d
     if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
     if (!(way.norm() > kLeastArrow) || !way.allFinite()) {
       stage.withdrawOne(ns, id, out);
-      stage.withdrawOne(brush_.ns(names::kLabel), symbol_id, out);
+      stage.withdrawOne(brush_.ns(symbol_id), symbol_id, out);
       return;
     }
     Marker arrow = brush_.arrow(ns, id, frame, from, from + way);
     arrow.color = palette::torque();
     stage.put(arrow, out);
     if (way.norm() < hidden) {  // a name alone would puzzle
-      stage.withdrawOne(brush_.ns(names::kLabel), symbol_id, out);
+      stage.withdrawOne(brush_.ns(symbol_id), symbol_id, out);
       return;
     }
     Marker label = brush_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);

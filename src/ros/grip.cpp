@@ -30,9 +30,9 @@ Marker ball() {
   out.color = palette::translucent(palette::omega(), kAlpha);
   const auto point = [](int parallel, int meridian) {
     const double polar = M_PI * parallel / kParallels, around = 2 * M_PI * meridian / kMeridians;
-    return toPoint(0.5 * kDiameter *
-                   Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
-                                   std::cos(polar)));
+    return toPoint(
+        0.5 * kDiameter *
+        Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar)));
   };
   for (int j = 0; j < kParallels; ++j) {
     for (int i = 0; i < kMeridians; ++i) {

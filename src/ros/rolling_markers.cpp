@@ -20,28 +20,23 @@ using visualization_msgs::MarkerArray;
 constexpr double kLeastPlaneRadius = 0.5;
 constexpr double kBeyondHerpolhode = 0.22;
 constexpr double kHerpolhodeWidth = 0.009;
-constexpr double kHerpolhodeTolerance = 2e-3;  // relative to a picture's 1 m
-constexpr int kHerpolhodePoints = 1024, kHalfPeriods = 6;
 constexpr double kPointDiameter = 0.05;
 constexpr double kArcWidth = 0.018;
-constexpr double kArcBeyond = 0.09;   // outside the herpolhode
+constexpr double kArcBeyond = 0.09;  // outside the herpolhode
 constexpr double kArcSpacing = 0.1;  // rad
 constexpr double kLeastHerpolhode = 0.02;
 constexpr double kTurnHeight = 0.17;
 constexpr int kDiscPieces = 40;
-// Ids within <body>/space/montgomery.
-enum MontgomeryId { kSector, kWords };
-
 constexpr double kDegree = 0.01745329251994329577;
-constexpr double kTurn = 360 * kDegree;
+constexpr double kWholeTurn = 360 * kDegree;
 
 /** Whole turns and the rest, in words. */
 std::string turnsAboutMomentum(double angle) {
-  const double whole = std::floor(angle / kTurn);
+  const double whole = std::floor(angle / kWholeTurn);
   char text[128];
   if (whole > 0) {
     std::snprintf(text, sizeof text, "one round of the polhode:\n%.0f \xC3\x97 360\xC2\xB0 + %.1f\xC2\xB0 about L",
-                  whole, (angle - whole * kTurn) / kDegree);
+                  whole, (angle - whole * kWholeTurn) / kDegree);
   } else {
     std::snprintf(text, sizeof text, "one round of the polhode:\n%.1f\xC2\xB0 about L", angle / kDegree);
   }
@@ -54,7 +49,7 @@ Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double met
   m.pose.position = toPoint(metres * plane.distance * plane.normal);
   m.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), plane.normal));
   const auto rim = [radius](int i) {
-    const double angle = kTurn * i / kDiscPieces;
+    const double angle = kWholeTurn * i / kDiscPieces;
     return toPoint({radius * std::cos(angle), radius * std::sin(angle), 0});
   };
   for (int i = 0; i < kDiscPieces; ++i) {
@@ -75,7 +70,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
                    MarkerArray& out) {
   const view::InvariablePlane plane = view::invariablePlane(motion);
   if (plane.normal.isZero(0)) return;
-  const view::Herpolhode herpolhode = view::herpolhode(motion, kHerpolhodePoints, kHalfPeriods, kHerpolhodeTolerance);
+  const view::Herpolhode herpolhode = view::herpolhode(motion);
   const double outer = metres * herpolhode.outer;
   out.markers.push_back(discOf(brush, plane, metres, std::max(kLeastPlaneRadius, outer + kBeyondHerpolhode)));
 
@@ -92,21 +87,19 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
 
   const double angle = motion.montgomeryAngle();
   if (!std::isfinite(angle)) return;
-  const std::string ns = brush.ns(names::kSpace, names::kMontgomery);
   const Eigen::Vector3d foot = metres * plane.distance * plane.normal;
-  Marker words = brush.text({}, names::kWorld, words_place, turnsAboutMomentum(angle), kTurnHeight);
+  Marker words = brush.text(kTurn, names::kWorld, words_place, turnsAboutMomentum(angle), kTurnHeight);
   words.color = palette::angularMomentum();
-  words.ns = ns;
-  words.id = kWords;
   words.frame_locked = true;
   out.markers.push_back(words);
   if (outer < kLeastHerpolhode) return;
 
-  const double rest = std::fmod(angle, kTurn);
+  const double rest = std::fmod(angle, kWholeTurn);
   const ClosedForm::State state = motion.at(herpolhode.start);
   const Eigen::Vector3d spoke = metres * (state.attitude * state.omega_body) - foot;
   const Eigen::Vector3d rim = (1 + kArcBeyond / outer) * (spoke - spoke.dot(plane.normal) * plane.normal);
-  Marker sector = brush.marker(ns, kSector, Marker::LINE_STRIP, brush.frames().space);
+  Marker sector =
+      brush.marker(brush.ns(names::kSpace, names::kMontgomery), 0, Marker::LINE_STRIP, brush.frames().space);
   const auto add = [&](const Eigen::Vector3d& p) { sector.points.push_back(toPoint(kPolhodeLift * p)); };
   const int pieces = std::max(1, static_cast<int>(std::ceil(rest / kArcSpacing)));
   add(foot);

@@ -169,6 +169,7 @@ void Panel::load(const rviz::Config& config) {
   config.mapGetBool("Negative Times", &both_sides);
   config.mapGetFloat("Time Span", &span);
   transport_->setSpan(span, both_sides);
+  views_->load(config);
   showNode();
 }
 
@@ -177,6 +178,7 @@ void Panel::save(rviz::Config config) const {
   config.mapSetValue("Node", link_->node());
   config.mapSetValue("Time Span", transport_->span());
   config.mapSetValue("Negative Times", transport_->bothSides());
+  views_->save(config);
 }
 
 QSize Panel::sizeHint() const {

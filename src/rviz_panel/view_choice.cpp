@@ -1,7 +1,7 @@
 #include "view_choice.h"
 
 #include <ros/package.h>
-#include <rviz/config.h>
+#include <rviz/display.h>
 #include <rviz/display_group.h>
 #include <rviz/properties/color_property.h>
 #include <rviz/view_controller.h>
@@ -87,16 +87,70 @@ void ViewChoice::listViews() {
     auto* const button = new QPushButton(names[i]);
     describe(button, QString("view_%1").arg(i), "Look from there: “" + names[i] + "”.");
     button->setMinimumWidth(20);
+    button->setCheckable(true);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(button, &QPushButton::clicked, this, [this, i] { take(i); });
     buttons_->addWidget(button, i / kColumns, i % kColumns);
   }
   title_->setVisible(!names.isEmpty());
+  markChosen();
 }
 
 void ViewChoice::take(int index) {
   rviz::ViewManager* const views = manager_->getViewManager();
-  if (index < views->getNumViews()) views->setCurrentFrom(views->getViewAt(index));
+  if (index >= views->getNumViews()) return;
+  views->setCurrentFrom(views->getViewAt(index));
+  choose(views->getViewAt(index)->getName());
+}
+
+void ViewChoice::choose(const QString& view) {
+  if (view != chosen_) {
+    setShown(chosen_, true);
+    setShown(view, false);
+    chosen_ = view;
+  }
+  markChosen();
+}
+
+void ViewChoice::markChosen() {
+  for (int i = 0; i < buttons_->count(); ++i) {
+    if (auto* const button = qobject_cast<QPushButton*>(buttons_->itemAt(i)->widget())) {
+      button->setChecked(button->text() == chosen_);
+    }
+  }
+}
+
+void ViewChoice::setShown(const QString& view, bool shown) {
+  rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
+  for (int i = 0; i < displays->numDisplays(); ++i) {
+    rviz::Display* const display = displays->getDisplayAt(i);
+    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(display->getName());
+    if (what.getType() == rviz::Config::Value) {
+      display->setEnabled(shown);
+    } else if (what.getType() == rviz::Config::List) {
+      rviz::Config settings;
+      rviz::Config namespaces = settings.mapMakeChild("Namespaces");
+      for (int k = 0; k < what.listLength(); ++k) {
+        namespaces.mapSetValue(what.listChildAt(k).getValue().toString(), shown);
+      }
+      // RViz keeps nothing of a namespace that is hidden: what stands still is sent only to a newcomer.
+      const bool enabled = display->isEnabled();
+      display->setEnabled(false);
+      display->load(settings);
+      display->setEnabled(enabled);
+    }
+  }
+}
+
+void ViewChoice::load(const rviz::Config& panel) {
+  hidden_ = panel.mapGetChild("Hidden");
+  QString view;
+  if (panel.mapGetString("View", &view)) choose(view);
+}
+
+void ViewChoice::save(rviz::Config panel) const {
+  if (!chosen_.isEmpty()) panel.mapSetValue("View", chosen_);
+  if (hidden_.isValid()) panel.mapMakeChild("Hidden").copy(hidden_);
 }
 
 void ViewChoice::loadViewsOf(const QString& scene) {
@@ -112,7 +166,13 @@ void ViewChoice::loadViewsOf(const QString& scene) {
   // The user has changed nothing: RViz need not ask whether to save it.
   QWidget* const window = manager_->getWindowManager() ? manager_->getWindowManager()->getParentWindow() : nullptr;
   const bool modified = window && window->isWindowModified();
+  choose("");  // shows again what the old view left out
   manager_->getViewManager()->load(views);
+  const rviz::Config panels = config.mapGetChild("Panels");
+  for (int i = 0; i < panels.listLength(); ++i) {
+    QString kind;
+    if (panels.listChildAt(i).mapGetString("Class", &kind) && kind == "poinsot/Panel") load(panels.listChildAt(i));
+  }
   if (window) window->setWindowModified(modified);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <rviz/config.h>
+
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
@@ -15,7 +17,13 @@ class VisualizationManager;
 
 namespace poinsot::rviz_panel {
 
-/** How RViz looks at it: the saved views of the present scene, and a dark or a light background. */
+/**
+ * How RViz looks at it: the saved views of the present scene, and a dark or a light background.
+ *
+ * A view may leave out what would pass before the camera. In a .rviz file the panel's `Hidden` says it, for each view by
+ * the name of a display: a list of namespaces of markers, or `true` for the whole display. The panel's `View` is the view
+ * that was chosen last.
+ */
 class ViewChoice : public QWidget {
   Q_OBJECT
 
@@ -26,12 +34,18 @@ class ViewChoice : public QWidget {
   /** Dark or light; for whoever has room for it. */
   QWidget* light() const;
 
+  void load(const rviz::Config& panel);
+  void save(rviz::Config panel) const;
+
   /** Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. */
   void loadViewsOf(const QString& scene);
 
  private:
   void listViews();
   void take(int index);
+  void choose(const QString& view);
+  void setShown(const QString& view, bool shown);
+  void markChosen();
   rviz::ColorProperty* background() const;
   void showBackground();
 
@@ -40,6 +54,8 @@ class ViewChoice : public QWidget {
   QGridLayout* buttons_;
   QCheckBox* light_;
   QStringList names_;
+  QString chosen_;
+  rviz::Config hidden_;
   QTimer timer_;
 };
 

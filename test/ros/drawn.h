@@ -70,6 +70,14 @@ class Drawn {
     return false;
   }
 
+  /** Of the static labels the one that begins like that. */
+  std::string words(const std::string& beginning) const {
+    for (const Marker& m : still.markers) {
+      if (m.ns == "body/label" && m.text.rfind(beginning, 0) == 0) return m.text;
+    }
+    throw std::runtime_error("no words " + beginning);
+  }
+
   /** What moves, at t [s]. */
   MarkerArray at(double t) {
     Tick tick;

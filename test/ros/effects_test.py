@@ -112,13 +112,13 @@ class EffectsTest(unittest.TestCase):
             of_body = {ns for ns in still if ns.startswith(body + "/")}
             wanted = {body + "/shape", body + "/label"}
             if body in FREE:
-                wanted |= surfaces | {body + "/space/angular_momentum"} | {"%s/%s" % (body, s) for s in UNDERSTAND}
+                wanted |= surfaces | {body + "/space/angular_momentum", body + "/space/label"} | {"%s/%s" % (body, s) for s in UNDERSTAND}
             if body in PIVOT:
                 wanted |= {body + "/gravity"}
             self.assertEqual(of_body, wanted)
 
             of_body = {ns for ns in moving if ns.startswith(body + "/")}
-            wanted = {body + "/" + what for what in ("trail", "label", "space/omega", "model/omega")}
+            wanted = {body + "/" + what for what in ("trail", "label", "space/label", "space/omega", "model/omega")}
             if body in TORQUED:
                 wanted |= surfaces | {body + "/space/angular_momentum"}
             if body in WITH_TORQUE:
@@ -205,7 +205,7 @@ class EffectsTest(unittest.TestCase):
         self.assertEqual(sum(m.action == Marker.DELETE for m in arrows), 1)
         for m, s in self.added("pushed/torque"):
             self.assertTrue(2 <= s.time < 4, s.time)
-        labels = [m for (ns, _), all_of_it in self.drawn.items() if ns == "pushed/label" for m in all_of_it[-1:]]
+        labels = [m for (ns, _), all_of_it in self.drawn.items() if ns in ("pushed/label", "pushed/space/label") for m in all_of_it[-1:]]
         self.assertNotIn("\u03c4", {m.text for m in labels if m.action == Marker.ADD})
 
     def test_body_at_rest_shows_no_ellipsoids(self):

@@ -31,10 +31,10 @@ def static_namespaces(body):
 
 
 def moving_namespaces(body):
-    return {body + "/" + what for what in ("trail", "label", "space/omega", "model/omega")}
+    return {body + "/" + what for what in ("trail", "label", "space/label", "space/omega", "model/omega")}
 
 
-STATIC = static_namespaces(BODIES[0]) | static_namespaces(BODIES[1]) | {"conserving/space/angular_momentum"}
+STATIC = static_namespaces(BODIES[0]) | static_namespaces(BODIES[1]) | {"conserving/space/angular_momentum", "conserving/space/label"}
 MOVING = moving_namespaces(BODIES[0]) | moving_namespaces(BODIES[1]) | {"drifting/space/angular_momentum"}
 
 

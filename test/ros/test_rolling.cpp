@@ -256,7 +256,7 @@ TEST(Montgomery, theSectorIsTwiceEnergyTimesPeriodLessTheSolidAngleOfThePolhode)
     // The words: whole turns and the rest.
     int turns = 0;
     double degrees = -1;
-    const std::string text = drawn.get("space/montgomery", 1).text;
+    const std::string text = drawn.words("one round");
     const std::string second = text.substr(text.find('\n') + 1);
     if (std::sscanf(second.c_str(), "%d \xC3\x97 360\xC2\xB0 + %lf", &turns, &degrees) != 2) {
       turns = 0;

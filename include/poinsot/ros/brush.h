@@ -20,7 +20,7 @@ constexpr double kSymbolHeight = 0.23;
 constexpr double kSeparatrixWidth = 0.012;
 constexpr double kPolhodeLift = 1.010;  // off the surface that it runs on, so as not to sink into it
 
-/** Ids within <body>/label. */
+/** Ids within <body>/label and, of names that belong to arrows in world axes, <body>/space/label. */
 enum LabelId {
   kBodyTitle,
   kSpaceTitle,
@@ -34,7 +34,8 @@ enum LabelId {
   kTorqueAtMomentumSymbol,
   kWeightSymbol,
   kOrbitSymbol,
-  kFlips
+  kFlips,
+  kTurn
 };
 
 /** Makes markers of one body, in its namespaces and its frames; stamps 0. */
@@ -45,6 +46,7 @@ class Brush {
   const names::Frames& frames() const { return frames_; }
   std::string ns(const char* what) const { return names::markers(body_, what); }
   std::string ns(const char* picture, const char* what) const { return names::markers(body_, picture, what); }
+  std::string ns(LabelId id) const;
 
   visualization_msgs::Marker marker(const std::string& ns, int id, int type, const std::string& frame) const;
   visualization_msgs::Marker text(LabelId id, const std::string& frame, const Eigen::Vector3d& place,
