@@ -19,7 +19,7 @@ from std_srvs.srv import SetBool, Trigger
 GRABS = 16  # a second
 STILL = 4  # grabs in a row: RViz takes tf and markers up in different frames of its own
 LEAST = 0.4  # of the usual change from frame to frame: less is a straggler of the step before
-PATIENCE = 1.5  # s: nothing may be going to change
+PATIENCE = 1.5  # s, beyond a step's own time: nothing may be going to change
 LONGEST = 5.0  # s: it may never keep still
 
 
@@ -34,7 +34,8 @@ def difference(a, b):
 
 
 class Screen:
-    def __init__(self, width, height):
+    def __init__(self, width, height, step):
+        self.patience = PATIENCE + 3 * step
         self.size = width * height * 4
         self.changes = []
         self.grabber = subprocess.Popen(
@@ -57,10 +58,10 @@ class Screen:
             still = still + 1 if picture == last else 0
             last = picture
             waited = time.monotonic() - begin
-            if not still >= STILL and waited < LONGEST:
+            if not still >= STILL and waited < LONGEST + self.patience:
                 continue
             change = difference(picture, before)
-            if change > LEAST * usual or waited > PATIENCE:
+            if change > LEAST * usual or waited > self.patience:
                 if before:
                     self.changes.append(change)
                 return picture
@@ -80,6 +81,7 @@ def main():
     rospy.init_node("film", anonymous=True, disable_signals=True)
     service("pause", SetBool)(True)
     step = service("step", Trigger)
+    step_takes = 1 / rospy.get_param("/poinsot/rate")  # s
     seek = rospy.Publisher("/poinsot/seek", Float64, queue_size=1)
     while not seek.get_num_connections():
         time.sleep(.05)
@@ -88,8 +90,8 @@ def main():
     for _ in range(skipped):
         if not step().success:
             raise RuntimeError("the node refuses a step")
-        time.sleep(.03)  # a tick, so that the trail has every point
-    screen, begin = Screen(width, height), time.monotonic()
+        time.sleep(step_takes + .02)  # a tick, so that the trail has every point
+    screen, begin = Screen(width, height, step_takes), time.monotonic()
     try:
         picture = screen.settled(b"")
         for i in range(frames):

@@ -228,6 +228,12 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
+  if (still_.markers.empty()) still_ = makeStatic();
+  out.markers.insert(out.markers.end(), still_.markers.begin(), still_.markers.end());
+}
+
+MarkerArray BodyPicture::makeStatic() const {
+  MarkerArray out;
   for (Marker& part : shapeMarkers(appearance_, shape_, shape_position_)) {
     part.header.frame_id = brush_.frames().body;
     part.ns = brush_.ns(names::kShape);
@@ -236,7 +242,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   }
   appendTitles(out);
   if (effects_) effects_->appendStatic(out);
-  if (torqued_ || atRest()) return;  // nothing more that stands still
+  if (torqued_ || atRest()) return out;  // nothing more that stands still
   const std::vector<view::Curve> separatrix =
       view::separatrix(inertia_.moments(), start_.kinetic_energy, kSeparatrixPoints);
   for (const Picture& picture : pictures()) {
@@ -251,6 +257,7 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
   }
+  return out;
 }
 
 void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy, double momentum_squared,
@@ -343,12 +350,12 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   out.markers.push_back(label);
 }
 
-void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, MarkerArray& out) {
+void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, double time, MarkerArray& out) {
   if (!may_flip_ || !motion.inClosedForm()) return;  // another method's flips are not those of the closed form
   if (tick.time_rate != 0) direction_ = tick.time_rate;
   if (!due(flips_told_, tick.stamp, kFiguresPause)) return;
   flips_told_ = tick.stamp;
-  flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), tick.time, direction_),
+  flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), time, direction_),
                         polhode_.regime == view::Regime::separatrix);
   if (figures_shown_) return;  // they tell it
   stage_.put(brush_.text(kFlips, names::kWorld, belowTitle(start_.position, kFlipsDepth), flips_, kFlipsHeight), out);
@@ -358,7 +365,7 @@ void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const Mot
   if (atRest()) return;
   const std::size_t first = out.markers.size();
   if (!torqued_) {
-    appendFlips(tick, motion, out);
+    appendFlips(tick, motion, state.time, out);
     appendOmega(state, out);
     appendTrail(kTrailLift * scale_.metres_per_radian_per_second * state.omega_body, out);
     if (!momentum_is_constant_) {

@@ -26,7 +26,6 @@ const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kPatienceForClock(3);
 const ros::WallDuration kStatusPause(0.1);
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
-constexpr double kMostTickSteps = 5e6;        // about 0.4 s: beyond it the clock has jumped, or runs too fast to follow
 constexpr double kAstray = 0.1;               // rad from the truth: /diagnostics warns
 constexpr double kCoarseShare = 0.1;          // of a tick: where doubles lie further apart, t is seen to jump
 
@@ -89,8 +88,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
                private_handle_.advertiseService(names::kSetMethod, &Node::onSetMethod, this),
                private_handle_.advertiseService(names::kSetSpin, &Node::onSetSpin, this)};
   subscribers_ = {private_handle_.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
-                  private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this),
-                  private_handle_.subscribe(names::kViewpoint, 1, &Node::onViewpoint, this)};
+                  private_handle_.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
+  viewpoint_subscriber_ = private_handle_.subscribe(names::kViewpoint, 1, &Node::onViewpoint, this);
   grip_ = std::make_unique<Grip>(private_handle_);
   // By the wall, so that one can tell a node whose clock stands still from one that is gone.
   status_timer_ = handle_.createWallTimer(kStatusPause, [this](const ros::WallTimerEvent&) { publishStatus(); });
@@ -156,7 +155,7 @@ void Node::tick() {
               clock_.speed());
     clock_.pause(true);
     clock_.restartStamps();
-  } else if (stepsTo(clock_.timeAt(now)) > kMostTickSteps) {
+  } else if (stepsTo(clock_.timeAt(now)) > kMostTickSteps) {  // the clock has jumped, or runs too fast to follow
     ROS_WARN_THROTTLE(
         1,
         "ROS time is %g s further than at the last tick, too far to step at once: t goes on from where it "
@@ -304,7 +303,10 @@ void Node::onSpeed(const std_msgs::Float64& message) {
 
 void Node::onSeek(const std_msgs::Float64& message) {
   const std::lock_guard<FairMutex> lock(mutex_);
-  const double time = message.data;
+  seek(message.data);
+}
+
+void Node::seek(double time) {
   if (!std::isfinite(time)) {
     refused("seek to " + shown(time) + " refused: a finite time is allowed");
     return;

@@ -48,6 +48,11 @@ bool answered(Response& response, const Act& act, const Refuse& refuse) {
   return true;
 }
 
+std::string tooManySteps(const std::string& body, double time, double steps, double step) {
+  return "body \"" + body + "\": to t = " + shown(time) + " s there are " + shown(steps) + " steps of " + shown(step) +
+         " s; allowed: at most " + shown(kMostSteps) + ", nearer to t = 0";
+}
+
 const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
 
 }  // namespace
@@ -85,6 +90,10 @@ Node::Change Node::wantedOfPresentScene() const {
 }
 
 void Node::ask(Change change) {
+  // If it is refused, so is all that is done with it.
+  if (change_ && !change.all && !change.redraw && change_->what.find(change.what) == std::string::npos) {
+    change.what = change_->what + " and " + change.what;
+  }
   change_ = std::move(change);
   if (rebuild_.busy()) {
     change_is_newer_ = true;
@@ -105,10 +114,14 @@ void Node::startRebuild() {
       order.keep.push_back(change_->redraw ? std::nullopt : std::make_optional(bodies_[i]->picture().frame()));
     }
   }
-  order.time = change_->from_start ? 0 : clock_.time();
+  order.time = comingTime();
   order.rate = rate_;
   order.frame_prefix = frame_prefix_;
   rebuild_.start(std::move(order), handle_);
+}
+
+double Node::comingTime() const {
+  return change_->from_start ? 0 : clock_.comingTime();
 }
 
 void Node::takeFinishedRebuild() {
@@ -137,6 +150,20 @@ void Node::takeFinishedRebuild() {
                 " is allowed: take larger steps or a lower speed";
     }
   }
+  if (problem.empty()) {
+    // t has gone on meanwhile, and may have been sent far away.
+    double all_steps = 0;
+    for (const auto& body : made->bodies) {
+      const double steps = body->motion().stepsTo(comingTime());
+      if (!(steps <= kMostSteps))
+        problem = tooManySteps(body->name(), comingTime(), steps, *body->motion().setup().step);
+      all_steps += steps;
+    }
+    if (problem.empty() && all_steps > kMostTickSteps) {
+      rebuild_.goOn(std::move(*made), comingTime());
+      return;
+    }
+  }
   if (!problem.empty()) {
     refused(change_->what + " refused: " + problem);
     change_.reset();
@@ -148,6 +175,8 @@ void Node::takeFinishedRebuild() {
 
 void Node::exchange(Rebuild::Result&& made) {
   for (const std::string& said : made.said) ROS_INFO("%s", said.c_str());
+  const std::optional<double> sought =
+      seeker_.busy() && !change_->from_start ? std::make_optional(seeker_.time()) : std::nullopt;
   seeker_.cancel();
   if (change_->all) {
     for (const auto& body : bodies_) diagnostics_.removeByName("body " + body->name());
@@ -176,7 +205,8 @@ void Node::exchange(Rebuild::Result&& made) {
     hold_.reset();
   }
   publishStatic();
-  markers_watched_ = false;  // what moves begins anew as well
+  markers_watched_ = false;   // what moves begins anew as well
+  if (sought) seek(*sought);  // with what moves now
 }
 
 // What is asked for.
@@ -222,12 +252,8 @@ bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& respons
                                          request.step == 0 ? std::nullopt : std::make_optional(request.step), warnings);
     response.message = request.body + ": " + body.method;
     if (body.step) {
-      const double steps = std::abs(clock_.time()) / *body.step;
-      if (!change.from_start && !(steps <= kMostSteps)) {
-        throw scene::Error("body \"" + request.body + "\": to t = " + shown(clock_.time()) + " s there are " +
-                           shown(steps) + " steps of " + shown(*body.step) + " s; allowed: at most " +
-                           shown(kMostSteps) + ", nearer to t = 0");
-      }
+      const double time = change.from_start ? 0 : clock_.comingTime(), steps = std::abs(time) / *body.step;
+      if (!(steps <= kMostSteps)) throw scene::Error(tooManySteps(request.body, time, steps, *body.step));
       response.message += " with a step of " + shown(*body.step) + " s";
     }
     for (const std::string& warning : warnings) {
@@ -380,7 +406,7 @@ void Node::lead(const Touch& touch) {
   const Eigen::Vector3d semi_axes =
       metres * view::keptSemiAxes(inertia.moments(), principal(body.state().omega_body), keep_);
   std::optional<Eigen::Vector3d> place;
-  if (eye_) {
+  if (eye_ && viewpoint_subscriber_.getNumPublishers() > 0) {  // else whoever looked from there is gone
     const view::Layout& layout = body.picture().layout();
     const Eigen::Vector3d eye = layout.model_orientation.conjugate() * (*eye_ - layout.model_centre);
     place = view::pointInSight(semi_axes, principal(eye), principal(touch.point));

@@ -22,6 +22,11 @@ std::optional<PictureFrame> ifItFits(const std::optional<PictureFrame>& keep, co
   return std::nullopt;
 }
 
+void moveAhead(Motion& motion, double time, const std::atomic<bool>& cancelled) {
+  if (cancelled || !motion.prepare(time, cancelled)) throw std::runtime_error("given up");
+  motion.at(time);  // throws where there is nothing to publish
+}
+
 Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const std::atomic<bool>& cancelled) {
   Rebuild::Result out;
   scene::Scene part;
@@ -32,9 +37,7 @@ Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const 
     order.scene.bodies[order.bodies[k]] = body;
     out.bodies.push_back(std::make_unique<Body>(body, order.frame_prefix, order.rate, handle,
                                                 k < order.keep.size() ? ifItFits(order.keep[k], body) : std::nullopt));
-    Motion& motion = out.bodies.back()->motion();
-    if (cancelled || !motion.prepare(order.time, cancelled)) throw std::runtime_error("given up");
-    motion.at(order.time);  // throws where there is nothing to publish
+    moveAhead(out.bodies.back()->motion(), order.time, cancelled);
   }
   out.scene = std::move(order.scene);
   out.indices = std::move(order.bodies);
@@ -52,6 +55,14 @@ void Rebuild::start(Order order, const ros::NodeHandle& handle) {
   cancelled_ = false;
   work_ = std::async(std::launch::async, [this, order = std::move(order), handle]() mutable {
     return make(std::move(order), handle, cancelled_);
+  });
+}
+
+void Rebuild::goOn(Result made, double time) {
+  cancelled_ = false;
+  work_ = std::async(std::launch::async, [this, made = std::move(made), time]() mutable {
+    for (const auto& body : made.bodies) moveAhead(body->motion(), time, cancelled_);
+    return std::move(made);
   });
 }
 

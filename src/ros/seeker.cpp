@@ -7,6 +7,7 @@ namespace poinsot::node {
 
 void Seeker::start(std::vector<Motion> motions, double time) {
   cancel();
+  time_ = time;
   work_ = std::async(std::launch::async, [this, motions = std::move(motions), time]() mutable -> std::optional<Result> {
     for (Motion& motion : motions) {
       if (!motion.prepare(time, cancelled_)) return std::nullopt;

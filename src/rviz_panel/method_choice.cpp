@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "status.h"
 #include "text.h"
 #include "widgets.h"
 
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kHoldOff = 700;  // ms
 constexpr double kMilli = 1e-3;
 
 const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name) {
@@ -107,7 +107,7 @@ void MethodChoice::showStatus(const NodeStatus& status) {
   step_->setEnabled(steps);
   step_label_->setEnabled(steps);
   if (!shown) return;
-  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || !status.busy.empty())) return;
+  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || changing(status))) return;
   since_asked_.invalidate();
   QStringList methods;
   for (const std::string& method : shown->methods) methods << QString::fromStdString(method);

@@ -125,6 +125,7 @@ void Panel::wire() {
   connect(link_, &NodeLink::found, this, [this] {
     controls_->setEnabled(true);
     banner_->hide();
+    follow();  // the body's name need not have changed
     if (viewpoint_) viewpoint_->repeat();
   });
   connect(link_, &NodeLink::done, this, [this](const QString& message) { say(message, false); });

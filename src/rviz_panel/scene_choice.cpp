@@ -7,14 +7,11 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "status.h"
 #include "widgets.h"
 
 namespace poinsot::rviz_panel {
-namespace {
-
-constexpr int kHoldOff = 700;  // ms
-
-}  // namespace
+namespace {}  // namespace
 
 SceneChoice::SceneChoice(QWidget* parent) : QWidget(parent) {
   auto* const row = new QHBoxLayout(this);
@@ -50,7 +47,7 @@ void SceneChoice::open() {
 
 void SceneChoice::showStatus(const NodeStatus& status) {
   file_ = QString::fromStdString(status.scene_file);
-  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || !status.busy.empty())) return;
+  if (since_asked_.isValid() && (!since_asked_.hasExpired(kHoldOff) || changing(status))) return;
   since_asked_.invalidate();
   QStringList scenes;
   for (const std::string& scene : status.scenes) scenes << QString::fromStdString(scene);

@@ -176,12 +176,13 @@ void Transport::buildSpeed() {
   grid->addLayout(ends, 2, 0, 1, 5);
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
 
-  connect(speed_slider_, &QSlider::valueChanged, this, &Transport::askSpeed);
-  connect(backwards_, &QToolButton::clicked, this, &Transport::askSpeed);
+  connect(speed_slider_, &QSlider::valueChanged, this,
+          [this](int position) { askSpeed(speed_scale::speedAt(position)); });
+  connect(backwards_, &QToolButton::clicked, this, [this] { askSpeed(std::abs(speed_)); });
   connect(real_time_, &QToolButton::clicked, this, [this] {
     const QSignalBlocker quiet(speed_slider_);
     speed_slider_->setValue(speed_scale::positionOf(1));
-    askSpeed();
+    askSpeed(1);
   });
 }
 
@@ -191,11 +192,10 @@ void Transport::askPause() {
   Q_EMIT pauseAsked(paused_);
 }
 
-void Transport::askSpeed() {
+void Transport::askSpeed(double magnitude) {
   since_speed_.start();
-  const double speed = (backwards_->isChecked() ? -1 : 1) * speed_scale::speedAt(speed_slider_->value());
-  showSpeed(speed);
-  Q_EMIT speedAsked(speed);
+  showSpeed(backwards_->isChecked() ? -magnitude : magnitude);
+  Q_EMIT speedAsked(speed_);
 }
 
 void Transport::seekToSlider() {
@@ -262,6 +262,7 @@ void Transport::showTime(double time) {
 }
 
 void Transport::showSpeed(double speed) {
+  speed_ = speed;
   speed_text_->setText(text::speed(speed));
 }
 

@@ -46,7 +46,7 @@ class Transport : public QWidget {
   void buildTime();
   void buildSpeed();
   void askPause();
-  void askSpeed();
+  void askSpeed(double magnitude);
   void seekToSlider();
   void seekToText();
   void newPage();
@@ -70,6 +70,7 @@ class Transport : public QWidget {
 
   TimePage page_;
   double now_ = 0;
+  double speed_ = 1;
   bool paused_ = false;
   // What the user has just set is not overwritten by a status from before it.
   QElapsedTimer since_pause_;

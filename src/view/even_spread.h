@@ -25,6 +25,11 @@ inline int segmentsPerQuarter(int points) {
   return std::max(2, (points + 3) / 4);
 }
 
+/** Of a circle that straight lines between them are to stray from by no more than the tolerance, r(1 − cos π/n). */
+inline double pointsOfCircle(double radius, double tolerance) {
+  return std::ceil(3.15 * std::sqrt(radius / (2 * tolerance)));
+}
+
 /**
  * Directions 0 … π/2, `segments` + 1 of them, at which the curve point(c, s) is passed in steps of nearly equal arc
  * length; a share of them goes where the curve turns, so that narrow corners are round too.

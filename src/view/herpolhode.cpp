@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "even_spread.h"
 #include "poinsot/view/flips.h"
 
 namespace poinsot::view {
@@ -168,8 +169,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   }
   const double turn_time = kTurn / motion.precessionRate();
   if (isCircle(out, stray)) {
-    // An n-gon's sides stray by r(1 − cos π/n).
-    const double wanted = 3.15 * std::sqrt(out.outer / (2 * stray));
+    const double wanted = pointsOfCircle(out.outer, stray);
     drawCircle(tip, plane, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);
     return out;
   }

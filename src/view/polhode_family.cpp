@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "even_spread.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/separatrix.h"
 #include "sorted_axes.h"
@@ -52,7 +53,7 @@ class Meridian {
 
 /** Of an ellipse with a semi-axis of at most `radius`. */
 int pointsFor(double radius, double tolerance) {
-  return static_cast<int>(std::ceil(3.15 * std::sqrt(radius / (2 * tolerance))));
+  return static_cast<int>(pointsOfCircle(radius, tolerance));
 }
 
 void scale(std::vector<Curve>& curves, double factor) {

@@ -79,6 +79,8 @@ class BodyPicture {
   void clearTrail();
 
  private:
+  visualization_msgs::MarkerArray makeStatic() const;
+
   /** The pictures in world and in body axes hang the same things on different frames. */
   struct Picture {
     const char* name;        ///< "space" or "model", in marker namespaces
@@ -100,7 +102,7 @@ class BodyPicture {
   std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                             const Eigen::Vector3d& torque_world) const;
   void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
-  void appendFlips(const Tick& tick, const Motion& motion, visualization_msgs::MarkerArray& out);
+  void appendFlips(const Tick& tick, const Motion& motion, double time, visualization_msgs::MarkerArray& out);
   void appendTrail(const Eigen::Vector3d& place, visualization_msgs::MarkerArray& out);
   void appendMovingConstruction(const Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
                                 visualization_msgs::MarkerArray& out);
@@ -125,17 +127,18 @@ class BodyPicture {
   view::Polhode polhode_;                  ///< at t = 0
   view::Layout layout_;
   view::PictureScale scale_;
-  view::Reach reach_;   ///< of a body under torques
-  double title_depth_;  ///< of the titles below the centres [m]
+  view::Reach reach_;                              ///< of a body under torques
+  double title_depth_;                             ///< of the titles below the centres [m]
+  mutable visualization_msgs::MarkerArray still_;  ///< made when it is first asked for
   view::Trail trail_;
   Stage stage_;
 
   // Of a body under torques.
   std::optional<EffectMarkers> effects_;
   view::Path path_;
-  bool path_rides_ = false;    ///< on the present momentum ellipsoid: it grows and shrinks with it
-  double path_size_ = 1;       ///< at which all of it was last drawn
-  bool path_jumped_ = false;   ///< what was shown of it is no more
+  bool path_rides_ = false;   ///< on the present momentum ellipsoid: it grows and shrinks with it
+  double path_size_ = 1;      ///< at which all of it was last drawn
+  bool path_jumped_ = false;  ///< what was shown of it is no more
   std::optional<ros::Time> path_shown_, curves_shown_;
   std::size_t path_turn_ = 0;                                 ///< the piece that was sent once more
   double curves_energy_size_ = 0, curves_momentum_size_ = 0;  ///< √E and |MΩ| when the curves were sent

@@ -56,6 +56,7 @@ class Node {
   void resendStaticMarkers();
   void publishMarkers(const Tick& tick);
   void takeFinishedSeek();
+  void seek(double time);
   void jumpTo(double time);
   void diagnoseBody(const std::string& name);
   void publishStatus();
@@ -76,6 +77,7 @@ class Node {
   Change wantedOfPresentScene() const;  ///< throws scene::Error while another one is being made ready
   void ask(Change change);
   void startRebuild();
+  double comingTime() const;  ///< from which t on the change that is being worked out is to play
   void takeFinishedRebuild();
   void exchange(Rebuild::Result&& made);
   void refused(const std::string& what);
@@ -145,6 +147,7 @@ class Node {
   bool markers_watched_ = false;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Subscriber> subscribers_;
+  ros::Subscriber viewpoint_subscriber_;
   diagnostic_updater::Updater diagnostics_;
 
   Rebuild rebuild_;

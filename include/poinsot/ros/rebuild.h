@@ -39,6 +39,8 @@ class Rebuild {
 
   /** Starts, when not busy. */
   void start(Order order, const ros::NodeHandle& handle);
+  /** Moves what was made on to another time, when not busy: to be polled like what start() makes. */
+  void goOn(Result made, double time);
   bool busy() const { return work_.valid(); }
   /** Makes it end soon; what it was doing is then of no use, but still to be polled. */
   void cancel() { cancelled_ = true; }

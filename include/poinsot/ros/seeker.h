@@ -26,11 +26,14 @@ class Seeker {
   void start(std::vector<Motion> motions, double time);
   void cancel();
   bool busy() const { return work_.valid(); }
+  /** Where to, of what was started last. */
+  double time() const { return time_; }
 
   /** The result, once, when it is there. Throws std::range_error, once, where a motion has no state at that time. */
   std::optional<Result> poll();
 
  private:
+  double time_ = 0;
   std::atomic<bool> cancelled_{false};
   std::future<std::optional<Result>> work_;
 };

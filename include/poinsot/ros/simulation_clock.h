@@ -46,6 +46,9 @@ class SimulationClock {
   /** The time of the last tick; the start time before the first. */
   double time() const { return time_; }
 
+  /** From which t the next tick goes on: time(), or that of a jump to come. */
+  double comingTime() const { return jump_.value_or(time_); }
+
   /** The segment of the last tick. */
   std::uint32_t segment() const { return segment_; }
 
