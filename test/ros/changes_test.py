@@ -152,11 +152,12 @@ class ChangesTest(unittest.TestCase):
         self.assertEqual(status.bodies[0].flips_since_start, 1)
 
     def test_another_method_goes_on_from_the_same_start(self):
+        since = self.descriptions.count()
         before, after = self.change(lambda: self.set_method(BODY, "lie_euler", 0.01))
         self.assertAlmostEqual(after.time, before.time, delta=0.2)
         self.assertGreaterEqual(after.time, before.time, "time went back")
         self.assertEqual(after.segment, before.segment + 1)
-        description = self.descriptions.next_where(lambda d: d.method == "lie_euler", since=0)
+        description = self.descriptions.next_where(lambda d: d.method == "lie_euler", since=since)
         self.assertEqual(description.step, 0.01)
         later = self.states.next_where(lambda s: s.time > after.time + 2)
         self.assertGreater(later.attitude_error, 1e-4, "lie_euler at this step goes wrong")
@@ -269,6 +270,51 @@ class ChangesTest(unittest.TestCase):
         self.assertEqual(status.bodies[0].method, "cf4")
         state = self.states.next_where(lambda s: s.segment == status.segment, since=0)
         self.assertLess(distance(vector(state.omega_body), (0.1, 2, 0.1)), 0.2)
+
+    def seek(self, t):
+        since = self.states.count()
+        self.control.seek(t)
+        return self.states.next_where(lambda s: t <= s.time < t + 60, since=since)
+
+    def test_a_method_is_not_played_at_a_time_too_far_for_it(self):
+        self.seek(2e5)
+        self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)  # 5e7 steps: it takes its time
+        self.seek(1e9)
+        status = self.status.next_where(lambda s: s.refused)
+        for piece in ("method lie_euler of wingnut refused", "to t = 1e+09 s", "steps of 0.004 s", "allowed: at most"):
+            self.assertIn(piece, status.refused)
+        state = self.states.next_where(lambda s: s.time > 1e9 + 1)
+        self.assertEqual(state.attitude_error, 0, "what was refused plays")
+        self.assertEqual(self.status.last().bodies[0].method, "closed_form")
+
+    def test_a_method_is_made_ready_for_the_time_that_has_come(self):
+        self.seek(2e5)
+        self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)
+        segment = self.seek(4e5).segment
+        since = self.states.count()
+        self.status.next_where(lambda s: s.bodies[0].method == "lie_euler")
+        there = [s for s in self.states.all() if s.segment == segment and s.time >= 4e5]
+        self.assertGreater(len(there), 10, "nothing was published while it was made ready")
+        self.assertTrue(all(s.attitude_error == 0 for s in there))
+        state = self.states.next_where(lambda s: s.segment == segment + 1, since=since - 1)
+        self.assertGreaterEqual(state.time, there[-1].time)
+        self.assertGreater(state.attitude_error, 1e-6)
+
+    def test_a_seek_outlives_another_method(self):
+        self.change(lambda: self.set_method(BODY, "lie_euler", 0.004))
+        self.control.seek(2e5)
+        self.status.next_where(lambda s: s.busy == "seek")
+        self.change(lambda: self.set_method(BODY, "buss2", 0.01))
+        state = self.states.next_where(lambda s: s.time >= 2e5)
+        self.assertLess(state.time, 2e5 + 60)
+        self.assertEqual(self.status.last().bodies[0].method, "buss2")
+
+    def test_what_is_refused_together_is_named_together(self):
+        self.assertTrue(self.set_method(BODY, "rk4", 0).success)  # its step is looked for
+        self.assertTrue(self.set_method(BODY, "lie_euler", 1e-8).success)  # what it costs is seen when it is there
+        status = self.status.next_where(lambda s: s.refused)
+        self.assertIn("method rk4 of wingnut and method lie_euler of wingnut refused", status.refused)
+        self.assertEqual(status.bodies[0].method, "closed_form")
 
 
 def size(message):

@@ -5,6 +5,7 @@
 #include <ros/package.h>
 #include <ros/ros.h>
 #include <rviz/config.h>
+#include <rviz/display.h>
 #include <rviz/display_group.h>
 #include <rviz/panel.h>
 #include <rviz/properties/color_property.h>
@@ -206,6 +207,13 @@ TEST_F(Panel, aSpeedFromElsewhereIsShown) {
   speed.publish(message);
   EXPECT_TRUE(until([] { return find<QLabel>("speed_text")->text() == "×−0.1"; }));
   EXPECT_TRUE(until([] { return find<QToolButton>("backwards")->isChecked(); }));
+  // Turned round, it is no other one: the slider's places are too few for that.
+  message.data = -0.123;
+  speed.publish(message);
+  ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == -0.123; }));
+  ASSERT_TRUE(until([] { return find<QLabel>("speed_text")->text() == "×−0.123"; }));
+  press<QToolButton>("backwards");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 0.123; })) << heard->state.time_rate;
 }
 
 TEST_F(Panel, seeksWhilePaused) {
@@ -403,6 +411,43 @@ TEST_F(Panel, theNodeLearnsWhereTheEyeIs) {
   EXPECT_TRUE(until([] { return std::abs(heard->viewpoint.point.x - 3) < 1e-4; })) << heard->viewpoint;
 }
 
+TEST_F(Panel, aViewLeavesOutWhatItsFileSays) {
+  rviz::DisplayGroup* const displays = shown->frame().getManager()->getRootDisplayGroup();
+  const auto display = [&](const QString& name) {
+    for (int i = 0; i < displays->numDisplays(); ++i) {
+      if (displays->getDisplayAt(i)->getName() == name) return displays->getDisplayAt(i);
+    }
+    return static_cast<rviz::Display*>(nullptr);
+  };
+  // What RViz lists has been received since the display was switched on.
+  const auto listed = [&](const QString& ns, bool enabled) {
+    const rviz::Property* const all = display("Still")->subProp("Namespaces");
+    for (int i = 0; i < all->numChildren(); ++i) {
+      if (all->childAt(i)->getName() == ns) return all->childAt(i)->getValue().toBool() == enabled;
+    }
+    return false;
+  };
+  ASSERT_TRUE(until([&] { return listed("wingnut/shape", true); }));
+  const QString name = find<QPushButton>("view_1")->text();
+  press<QPushButton>("view_1");
+  EXPECT_TRUE(until([&] { return listed("wingnut/shape", false) && listed("wingnut/space/polhode", true); }));
+  EXPECT_FALSE(display("Floor")->isEnabled());
+  EXPECT_TRUE(display("Still")->isEnabled());
+  EXPECT_TRUE(find<QPushButton>("view_1")->isChecked());
+  EXPECT_FALSE(find<QPushButton>("view_0")->isChecked());
+  rviz::Config config;
+  find<rviz::Panel>("poinsot_panel")->save(config);
+  QString view;
+  EXPECT_TRUE(config.mapGetString("View", &view));
+  EXPECT_EQ(view, name);
+  EXPECT_TRUE(config.mapGetChild("Hidden").mapGetChild(name).mapGetChild("Floor").isValid());
+
+  press<QPushButton>("view_0");
+  EXPECT_TRUE(until([&] { return listed("wingnut/shape", true); })) << "RViz was not sent it again";
+  EXPECT_TRUE(display("Floor")->isEnabled());
+  EXPECT_TRUE(find<QPushButton>("view_0")->isChecked());
+}
+
 TEST_F(Panel, theBackgroundIsLightOrDark) {
   auto* const colour = dynamic_cast<rviz::ColorProperty*>(
       shown->frame().getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"));
@@ -435,10 +480,12 @@ TEST_F(Panel, theNodesNameIsASetting) {
   panel->load(config);
   EXPECT_TRUE(until([] { return controls()->isEnabled(); }));
   EXPECT_EQ(find<QLineEdit>("node")->text(), "/poinsot");
+  EXPECT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); })) << "its states are not heard";
 }
 
 TEST_F(Panel, aNodeThatDiesIsMissedAndOneThatComesBackIsFound) {
   for (int round = 0; round < 2; ++round) {
+    ASSERT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); }));
     node->kill();
     ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
     EXPECT_FALSE(controls()->isEnabled());
