@@ -196,7 +196,7 @@ Yaw: %.3f""" % ((name, distance) + tuple(x + 0.0 for x in focal) + (near, pitch,
 
 def riding(body):
     """On the ellipsoids of the picture in world axes: body axes rest, and the world turns."""
-    distance = 4.2
+    distance = 4.7
     direction = (-.80, .42, .42)
     length = math.sqrt(sum(x * x for x in direction))
     place = [distance * x / length for x in direction]

@@ -290,13 +290,15 @@ class ChangesTest(unittest.TestCase):
     def test_a_method_is_made_ready_for_the_time_that_has_come(self):
         self.seek(2e5)
         self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)
-        segment = self.seek(4e5).segment
+        segment = self.seek(8e5).segment  # 1.5e8 steps more
         since = self.states.count()
         self.status.next_where(lambda s: s.bodies[0].method == "lie_euler")
-        there = [s for s in self.states.all() if s.segment == segment and s.time >= 4e5]
+        there = [s for s in self.states.all() if s.segment == segment and s.time >= 8e5]
         self.assertGreater(len(there), 10, "nothing was published while it was made ready")
         self.assertTrue(all(s.attitude_error == 0 for s in there))
         state = self.states.next_where(lambda s: s.segment == segment + 1, since=since - 1)
+        # Steps taken between two ticks would be a gap, three times as long as the steps before.
+        self.assertLess(state.time - there[-1].time, there[-1].time - there[0].time)
         self.assertGreaterEqual(state.time, there[-1].time)
         self.assertGreater(state.attitude_error, 1e-6)
 
