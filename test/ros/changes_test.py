@@ -298,7 +298,8 @@ class ChangesTest(unittest.TestCase):
         self.assertTrue(all(s.attitude_error == 0 for s in there))
         state = self.states.next_where(lambda s: s.segment == segment + 1, since=since - 1)
         # Steps taken between two ticks would be a gap, three times as long as the steps before.
-        self.assertLess(state.time - there[-1].time, there[-1].time - there[0].time)
+        following = self.states.next_where(lambda s: s.segment > segment and s.time > state.time, since=since - 1)
+        self.assertLess(following.time - there[-1].time, there[-1].time - there[0].time)
         self.assertGreaterEqual(state.time, there[-1].time)
         self.assertGreater(state.attitude_error, 1e-6)
 
