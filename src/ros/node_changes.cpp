@@ -23,6 +23,7 @@ namespace {
 constexpr double kClick = 0.005;            // m: a hand that moves less has not led anything
 constexpr std::size_t kMostGrips = 16;      // bodies beyond have none
 constexpr std::size_t kGripsEachTick = 4;   // with more they are placed more rarely
+constexpr double kBesideSeparatrix = 3e-7;  // k': some last bits of E and |L|²
 const ros::WallDuration kHoldForgotten(3);  // a viewer that died lets go
 const ros::WallDuration kPreviewPause(0.05);
 const ros::WallDuration kResendAfterScene(0.5);
@@ -528,6 +529,9 @@ void Node::publishStatus() {
     b.methods = scene::methodsFor(scene_.bodies[i]);
     if (const ClosedForm* exact = body.motion().closedForm()) {
       b.regime = view::textOf(body.picture().regime());
+      if (exact->separatrixDistance() > 0 && exact->separatrixDistance() < kBesideSeparatrix) {
+        b.regime = std::string(view::textOf(view::Regime::separatrix)) + ", to rounding";
+      }
       const view::Flips flips = view::flipsOf(*exact, body.state().time, clock_.speed());
       b.flips = flips.flips;
       b.flips_since_start = flips.since_start;

@@ -144,14 +144,24 @@ Plots::Plots(QWidget* parent) : QWidget(parent), history_(kWindow, kCapacity) {
                                coloured("Ω₃", omega_colours[2]) + " in rad/s, principal axes, over t in s"));
   layout->addWidget(omega_plot_);
   layout->addSpacing(4);
-  layout->addWidget(makeLegend("drift of " + coloured("energy", error_colours[0]) + ", " +
-                               coloured("momentum", error_colours[1]) + "; " +
-                               coloured("true error", error_colours[2]) + " in rad"));
+  error_legend_ = makeLegend({});
+  error_legend_->setObjectName("error_legend");
+  showLegend(true);
+  layout->addWidget(error_legend_);
   layout->addWidget(error_plot_);
   refresh();
 }
 
+void Plots::showLegend(bool has_truth) {
+  const QString both = coloured("energy", colours::kEnergy) + ", " + coloured("momentum", colours::kMomentum);
+  const QString text = has_truth
+                           ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
+                           : "change of " + both + ", relative";
+  if (error_legend_->text() != text) error_legend_->setText(text);
+}
+
 void Plots::add(const BodyState& state) {
+  showLegend(!std::isnan(state.attitude_error));
   Sample sample;
   sample.stamp = state.header.stamp.toSec();
   sample.time = state.time;

@@ -30,6 +30,8 @@ class Plots : public QWidget {
   void refresh();
 
  private:
+  /** Under torques there is no true error, and a change is no drift. */
+  void showLegend(bool has_truth);
   void drawOmega(double from, double to);
   void drawErrors(double from, double to);
 
@@ -39,6 +41,7 @@ class Plots : public QWidget {
   double omega_bound_ = 0;
   QwtPlot* omega_plot_;
   QwtPlot* error_plot_;
+  QLabel* error_legend_;
   std::array<QwtPlotCurve*, 3> omega_curves_;
   std::array<QwtPlotCurve*, 3> error_curves_;
   std::array<QwtPlotCurve*, 3> omega_tips_;

@@ -378,6 +378,7 @@ TEST_F(Panel, torquesAreCalledByTheirName) {
   pick("scene", "damped_tumble");
   EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "no closed form under torque"; }));
   EXPECT_FALSE(find<QLabel>("flips")->text().contains("nan", Qt::CaseInsensitive));
+  EXPECT_TRUE(find<QLabel>("error_legend")->text().startsWith("change of"));
   spin(2);
   shown->picture("panel_torque");
 }
