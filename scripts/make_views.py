@@ -117,7 +117,9 @@ class Recording:
         turning = marker.header.frame_id.endswith("_space_body")
         if marker.type == marker.TEXT_VIEW_FACING:
             lines = marker.text.split("\n")
-            half = (.28 * scale.z * max(len(line) for line in lines), .6 * scale.z * len(lines))
+            if "energy" in marker.text:
+                lines.append("what it costs, which a recording does not measure")
+            half = (.28 * scale.z * max(len(line) for line in lines[:3]), .6 * scale.z * len(lines))
             centre = self.placed(marker.header.frame_id, origin)
             if centre:
                 for y, z in ((-1, 0), (1, 0), (0, 1), (0, -1)):

@@ -70,7 +70,7 @@ constexpr double kBesideArrow = 0.17;  // m
 constexpr double kBesideTorque = 0.25;
 constexpr double kBesideBead = 0.28;
 constexpr double kBeforeLines = 0.15;                  // towards the viewer
-const Eigen::Vector3d kBeforeSurfaces(0.32, 0, 0.14);  // towards a viewer who looks down a little
+const Eigen::Vector3d kBeforeSurfaces(0.45, 0, 0.18);  // towards a viewer who looks down a little
 
 /**
  * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on the right while the two are

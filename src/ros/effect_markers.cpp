@@ -55,6 +55,7 @@ EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Siz
 }
 
 double EffectMarkers::depth() const {
+  if (orbit_) return sizes_.reach + kOrbitBeyond + 3 * kBeside;  // a word
   if (!weight_) return torque_ ? sizes_.reach + kTorqueBeyond + 2 * kBeside : 0;
   return weight_->centre_of_mass.norm() + sizes_.shape_radius + kWeightBeyond + 2 * kBeside;
 }
