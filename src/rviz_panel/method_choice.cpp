@@ -39,7 +39,7 @@ MethodChoice::MethodChoice(QWidget* parent) : QWidget(parent) {
   describe(method_, "method", "The method that moves this body: closed_form is exact, all others step and drift.");
   method_label->setBuddy(method_);
   step_label_ = new QLabel("step");
-  step_ = new QLineEdit;
+  step_ = new LiveEdit;
   describe(step_, "method_step",
            "The method's step in milliseconds; press Enter. Empty: the node chooses one that suits the motion.");
   step_->setPlaceholderText("chosen");

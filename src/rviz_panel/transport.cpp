@@ -87,7 +87,7 @@ void Transport::buildTime() {
   grid->setVerticalSpacing(2);
 
   auto* const label = new QLabel("t&ime");
-  time_ = new QLineEdit;
+  time_ = new LiveEdit;
   describe(time_, "time", "Simulation time t in seconds. Type a time and press Enter to be there, as 12.5 or 1e9.");
   QFont large = time_->font();
   large.setPointSizeF(1.25 * large.pointSizeF());

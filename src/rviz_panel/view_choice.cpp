@@ -153,6 +153,26 @@ void ViewChoice::save(rviz::Config panel) const {
   if (hidden_.isValid()) panel.mapMakeChild("Hidden").copy(hidden_);
 }
 
+void ViewChoice::fitDisplays(const rviz::Config& file) {
+  rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
+  const rviz::Config wanted = file.mapGetChild("Visualization Manager").mapGetChild("Displays");
+  for (int k = 0; k < wanted.listLength(); ++k) {
+    const rviz::Config one = wanted.listChildAt(k);
+    QString name, kind;
+    if (!one.mapGetString("Name", &name) || !one.mapGetString("Class", &kind)) continue;
+    for (int i = 0; i < displays->numDisplays(); ++i) {
+      rviz::Display* const display = displays->getDisplayAt(i);
+      if (display->getName() != name || display->getClassId() != kind) continue;
+      rviz::Config settings;
+      for (const char* key : {"Namespaces", "Cell Size", "Plane Cell Count", "Offset"}) {
+        const rviz::Config value = one.mapGetChild(key);
+        if (value.isValid()) settings.mapMakeChild(key).copy(value);
+      }
+      display->load(settings);
+    }
+  }
+}
+
 void ViewChoice::loadViewsOf(const QString& scene) {
   if (!manager_ || scene.isEmpty() || scene.contains('/')) return;
   const QString file = QString::fromStdString(ros::package::getPath("poinsot")) + "/rviz/" + scene + ".rviz";
@@ -168,6 +188,7 @@ void ViewChoice::loadViewsOf(const QString& scene) {
   const bool modified = window && window->isWindowModified();
   choose("");  // shows again what the old view left out
   manager_->getViewManager()->load(views);
+  fitDisplays(config);
   const rviz::Config panels = config.mapGetChild("Panels");
   for (int i = 0; i < panels.listLength(); ++i) {
     QString kind;

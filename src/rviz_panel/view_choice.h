@@ -20,9 +20,9 @@ namespace poinsot::rviz_panel {
 /**
  * How RViz looks at it: the saved views of the present scene, and a dark or a light background.
  *
- * A view may leave out what would pass before the camera. In a .rviz file the panel's `Hidden` says it, for each view by
- * the name of a display: a list of namespaces of markers, or `true` for the whole display. The panel's `View` is the view
- * that was chosen last.
+ * A view may leave out what would pass before the camera. In a .rviz file the panel's `Hidden` says it, for each view
+ * by the name of a display: a list of namespaces of markers, or `true` for the whole display. The panel's `View` is the
+ * view that was chosen last.
  */
 class ViewChoice : public QWidget {
   Q_OBJECT
@@ -37,7 +37,10 @@ class ViewChoice : public QWidget {
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
 
-  /** Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. */
+  /**
+   * Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. Displays of the
+   * same name and kind get that file's hidden namespaces, and its floor's place and size; no more.
+   */
   void loadViewsOf(const QString& scene);
 
  private:
@@ -45,6 +48,7 @@ class ViewChoice : public QWidget {
   void take(int index);
   void choose(const QString& view);
   void setShown(const QString& view, bool shown);
+  void fitDisplays(const rviz::Config& file);
   void markChosen();
   rviz::ColorProperty* background() const;
   void showBackground();

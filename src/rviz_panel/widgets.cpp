@@ -3,7 +3,7 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QEvent>
-#include <QLineEdit>
+#include <QKeyEvent>
 #include <QProxyStyle>
 #include <QResizeEvent>
 #include <QSignalBlocker>
@@ -93,7 +93,43 @@ void showChoices(QComboBox* combo, const QStringList& choices, const QString& cu
   if (index != combo->currentIndex()) combo->setCurrentIndex(index);
 }
 
+LiveEdit::LiveEdit(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::returnPressed, this, &LiveEdit::letGo);
+}
+
+void LiveEdit::letGo() {
+  held_ = false;
+  setModified(false);
+  deselect();
+}
+
+void LiveEdit::mousePressEvent(QMouseEvent* event) {
+  QLineEdit::mousePressEvent(event);
+  if (held_) return;  // a second click is to a place in the text
+  held_ = true;
+  selectAll();
+}
+
+void LiveEdit::mouseDoubleClickEvent(QMouseEvent*) {
+  selectAll();  // and not the digits before or after the point
+}
+
+void LiveEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    letGo();
+    return;
+  }
+  QLineEdit::keyPressEvent(event);
+}
+
+void LiveEdit::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  letGo();
+}
+
 void showText(QLineEdit* edit, const QString& text) {
+  const auto* const live = qobject_cast<LiveEdit*>(edit);
+  if (live && live->held()) return;
   if (edit->hasFocus() && edit->isModified()) return;
   if (edit->text() == text) return;
   edit->setText(text);  // which also clears "modified"

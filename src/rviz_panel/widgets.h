@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QSlider>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 
 class QComboBox;
-class QLineEdit;
 
 /** Small things that the parts of the panel share. */
 namespace poinsot::rviz_panel {
@@ -21,6 +21,28 @@ class JumpSlider : public QSlider {
 
  public:
   explicit JumpSlider(QWidget* parent = nullptr);
+};
+
+/**
+ * A line that shows what changes by itself, and can be typed over: from a click on it stays as it is, all of it
+ * selected, until Enter, Escape or until it is left.
+ */
+class LiveEdit : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit LiveEdit(QWidget* parent = nullptr);
+  bool held() const { return held_; }
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void letGo();
+  bool held_ = false;
 };
 
 /** A label that never asks for more room than there is: what does not fit is shown as "…", and in full as a tooltip. */

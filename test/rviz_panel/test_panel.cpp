@@ -275,6 +275,30 @@ TEST_F(Panel, seeksToATimeThatIsTyped) {
   EXPECT_EQ(heard->state.time, -12.5);
 }
 
+TEST_F(Panel, aTimeIsTypedOverTheOneThatRuns) {
+  auto* const edit = find<QLineEdit>("time");
+  const auto typed = [&](const QString& text) {
+    QTest::mouseClick(edit, Qt::LeftButton);
+    spin(1);  // t goes on
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+  };
+  typed("abc");
+  EXPECT_TRUE(until([] { return notice().contains("“abc”"); })) << notice().toStdString();
+  typed("1e6");
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time >= 1e6 && state.time < 1e6 + 10; }))
+      << heard->state.time;
+  // It runs again; also when it was clicked and left alone.
+  const QString before = edit->text();
+  EXPECT_TRUE(until([&] { return edit->text() != before; }));
+  QTest::mouseClick(edit, Qt::LeftButton);
+  const QString held = edit->text();
+  spin(0.5);
+  EXPECT_EQ(edit->text(), held);
+  QTest::keyClick(edit, Qt::Key_Escape);
+  EXPECT_TRUE(until([&] { return edit->text() != held; }));
+}
+
 TEST_F(Panel, negativeTimesAreOnTheSlider) {
   pauseIt();
   press<QToolButton>("both_sides");
@@ -367,6 +391,11 @@ TEST_F(Panel, theSceneChangesWhilePlaying) {
   EXPECT_TRUE(until([&] {
     return std::abs(views->getCurrent()->subProp("Distance")->getValue().toDouble() - distance) < 1e-3;
   })) << views->getCurrent()->subProp("Distance")->getValue().toDouble();
+  // And the floor lies below it.
+  rviz::Property* const floor = shown->frame().getManager()->getRootDisplayGroup()->getDisplayAt(0);
+  ASSERT_EQ(floor->getName(), "Floor");
+  EXPECT_NEAR(floor->subProp("Offset")->subProp("Z")->getValue().toDouble(),
+              file["Visualization Manager"]["Displays"][0]["Offset"]["Z"].as<double>(), 1e-3);
   // A step belongs to the new scene's body; the other body can be looked at.
   pick("body", combo("body")->itemText(1));
   EXPECT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); }));
