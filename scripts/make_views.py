@@ -267,6 +267,7 @@ def view(recording, setting, ride):
         "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
         "floor_cells": "%d" % (8 if distance < 8 else 10 if distance < 15 else 14),
         "left_out": ", ".join(left),
+        "grip": "false" if setting["bodies"] else "true",
         "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
         "hidden_motion": hidden(recording.namespaces[1], setting["bodies"]),
         "current": indented(overview.replace("Name: Overview", "Name: Current View"), " " * 6, " " * 6),

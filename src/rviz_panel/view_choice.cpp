@@ -164,7 +164,7 @@ void ViewChoice::fitDisplays(const rviz::Config& file) {
       rviz::Display* const display = displays->getDisplayAt(i);
       if (display->getName() != name || display->getClassId() != kind) continue;
       rviz::Config settings;
-      for (const char* key : {"Namespaces", "Cell Size", "Plane Cell Count", "Offset"}) {
+      for (const char* key : {"Enabled", "Namespaces", "Cell Size", "Plane Cell Count", "Offset"}) {
         const rviz::Config value = one.mapGetChild(key);
         if (value.isValid()) settings.mapMakeChild(key).copy(value);
       }

@@ -39,7 +39,8 @@ class ViewChoice : public QWidget {
 
   /**
    * Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. Displays of the
-   * same name and kind get that file's hidden namespaces, and its floor's place and size; no more.
+   * same name and kind are shown or not as in that file, with its hidden namespaces and its floor's place and size; no
+   * more.
    */
   void loadViewsOf(const QString& scene);
 
