@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Has a running, paused node go on frame by frame, and writes what the screen shows of each to stdout, as raw video.
 
-Usage: film.py WIDTH HEIGHT FRAMES SKIPPED FROM    (of the screen DISPLAY; film.sh calls it)
+Usage: film.py WIDTH HEIGHT FRAMES SKIPPED FROM STEPS    (of the screen DISPLAY; film.sh calls it)
 
-Each frame is one ~step: films are even however slowly RViz draws. A frame is taken when the screen has changed and then
-kept still. SKIPPED steps come first, from FROM seconds on, so that the trail is there.
+From frame to frame there are STEPS calls of ~step: films are even however slowly RViz draws. A frame is taken when the
+screen has changed and then kept still. SKIPPED frames come first, from FROM seconds on, so that the trail is there.
 """
 import os
 import subprocess
@@ -19,7 +19,7 @@ from std_srvs.srv import SetBool, Trigger
 GRABS = 16  # a second
 STILL = 4  # grabs in a row: RViz takes tf and markers up in different frames of its own
 LEAST = 0.4  # of the usual change from frame to frame: less is a straggler of the step before
-PATIENCE = 1.5  # s, beyond a step's own time: nothing may be going to change
+PATIENCE = 1.5  # s, beyond a frame's own time: nothing may be going to change
 LONGEST = 5.0  # s: it may never keep still
 
 
@@ -34,8 +34,8 @@ def difference(a, b):
 
 
 class Screen:
-    def __init__(self, width, height, step):
-        self.patience = PATIENCE + 3 * step
+    def __init__(self, width, height, frame_takes):
+        self.patience = PATIENCE + 3 * frame_takes
         self.size = width * height * 4
         self.changes = []
         self.grabber = subprocess.Popen(
@@ -80,25 +80,29 @@ def main():
     width, height, frames, skipped = (int(x) for x in sys.argv[1:5])
     rospy.init_node("film", anonymous=True, disable_signals=True)
     service("pause", SetBool)(True)
-    step = service("step", Trigger)
-    step_takes = 1 / rospy.get_param("/poinsot/rate")  # s
+    step, steps = service("step", Trigger), int(sys.argv[6])
+    frame_takes = steps / rospy.get_param("/poinsot/rate")  # s
+
+    def go_on():
+        for _ in range(steps):
+            if not step().success:
+                raise RuntimeError("the node refuses a step")
+
     seek = rospy.Publisher("/poinsot/seek", Float64, queue_size=1)
     while not seek.get_num_connections():
         time.sleep(.05)
     seek.publish(float(sys.argv[5]))
     time.sleep(1)
     for _ in range(skipped):
-        if not step().success:
-            raise RuntimeError("the node refuses a step")
-        time.sleep(step_takes + .02)  # a tick, so that the trail has every point
-    screen, begin = Screen(width, height, step_takes), time.monotonic()
+        go_on()
+        time.sleep(frame_takes + .02)  # so that the trail has every point
+    screen, begin = Screen(width, height, frame_takes), time.monotonic()
     try:
         picture = screen.settled(b"")
         for i in range(frames):
             sys.stdout.buffer.write(picture)
             if i + 1 < frames:
-                if not step().success:
-                    raise RuntimeError("the node refuses a step")
+                go_on()
                 picture = screen.settled(picture)
             if i % 30 == 29:
                 print("%d of %d frames, %.0f s" % (i + 1, frames, time.monotonic() - begin), file=sys.stderr)

@@ -14,7 +14,7 @@
 #   --picture KIND     of the moving picture beside it (default: webp)
 #   --picture-width W  how wide that is (default: 800)
 #
-# Every frame is one step of the paused node, so a film is even however slow the machine is. One of 10 s takes two
+# From frame to frame the paused node goes on by steps, so a film is even however slow the machine is. One of 10 s takes two
 # minutes or some, with software OpenGL.
 # Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene. A film that fails leaves nothing.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -87,8 +87,10 @@ mkdir -p "$(dirname "$log")" && : > "$log"
 say "filming $name, $seconds s"
 start_display "$size"
 start_core "$work/core.log"
-# A step of the node is a frame.
-rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $fps / $speed}")"
+# Of a fast film a frame is several steps of the node, so that trails and paths are as fine as they are while it plays.
+steps=$(awk "BEGIN {n = 30 * $speed / $fps; printf \"%d\", n == int(n) ? n : n + 1}")
+[ "$steps" -ge 1 ] || steps=1
+rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $steps * $fps / $speed}")"
 roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
 launch_pid=$!
 failed() { tail -n 20 "$log" >&2; fail "film.sh: $1; the output of the nodes is in $log"; }
@@ -100,12 +102,13 @@ for _ in $(seq 120); do
 done
 [ $up = yes ] || failed "RViz does not come up"
 sleep 4  # until it has drawn what it was sent
+kill -0 "$launch_pid" 2> /dev/null || failed "RViz ended while it started"
 
 frames=$(awk "BEGIN {printf \"%d\", $seconds * $fps + 0.5}")
 skipped=$(awk "BEGIN {n = 3 * $fps / $speed; printf \"%d\", n < 150 ? n : 150}")
 begin=$(awk "BEGIN {printf \"%.9g\", $from - $skipped * $speed / $fps}")
 case "$from" in 0 | 0.0) skipped=0 begin=0 ;; esac  # nothing was before
-python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "$begin" 2>> "$log" |
+python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "$begin" "$steps" 2>> "$log" |
   ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size "$size" -framerate "$fps" -i pipe:0 \
     -c:v libx264 -preset slow -crf 20 -pix_fmt yuv420p -movflags +faststart "$work/film.mp4" 2>> "$log" ||
   failed "no film could be taken"
