@@ -11,8 +11,6 @@
 #include "widgets.h"
 
 namespace poinsot::rviz_panel {
-namespace {}  // namespace
-
 SceneChoice::SceneChoice(QWidget* parent) : QWidget(parent) {
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
