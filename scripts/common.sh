@@ -55,6 +55,9 @@ free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
+# port_taken PORT: does somebody listen there, on loopback?
+port_taken() { (exec 3<> "/dev/tcp/127.0.0.1/$1") 2> /dev/null; }
+
 # start_core LOG: a ROS master on loopback that answers; sets core_pid.
 start_core() {
   local deadline

@@ -47,13 +47,19 @@ build_package
 enter_devel
 "$build/devel/lib/poinsot/poinsot_node" --check "$file" || exit 2
 
+log=$build/demo.log
 if [ -z "$user_graph" ]; then
   port=11311
-  [ $headless = no ] || port=$(free_port)
+  if [ $headless = yes ]; then
+    port=$(free_port)
+  elif port_taken $port; then  # by another demo: of two nodes of a name ROS ends the first
+    port=$(free_port) log=$build/demo-$port.log
+    say "port 11311 is taken: the ROS master of this demo is at http://127.0.0.1:$port"
+  fi
   stay_on_loopback "$port"
 fi
 
-rviz_args= launch_pid= display_pid= log=$build/demo.log partial=
+rviz_args= launch_pid= display_pid= partial=
 finish() {
   if [ -n "$launch_pid" ]; then
     kill -INT "$launch_pid" 2> /dev/null || true
@@ -85,7 +91,7 @@ if [ -z "$duration" ] && [ -z "$screenshot" ]; then
   echo "close RViz or press Ctrl-C to end; the output of the nodes is in $log"
   wait "$launch_pid" || true
   # roslaunch exits 0 whatever its nodes did.
-  if grep -aq 'poinsot-[0-9]*\] process has died' "$log"; then died; fi
+  if grep -aqE 'poinsot-[0-9]*\] process has died|rviz-[0-9]*\] process has died .*exit code -' "$log"; then died; fi
   launch_pid=
   exit 0
 fi

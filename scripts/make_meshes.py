@@ -13,6 +13,7 @@ import sys
 STEEL, BRIGHT, DARK = (.60, .63, .68), (.86, .87, .88), (.13, .14, .17)
 VERMILION, BLUE, GOLD = (.84, .37, .10), (.10, .30, .62), (.87, .68, .25)
 WHITE, CREAM, BLACK = (.95, .95, .95), (.93, .89, .78), (.05, .05, .06)
+SHADE = 1.7  # the part of a colour that is seen without light
 
 
 # --- vectors --------------------------------------------------------------------------------------------------------
@@ -201,10 +202,11 @@ class Mesh:
 
         def effect(i, c):
             text = " ".join("%.3g" % x for x in c)
+            shade = " ".join("%.3g" % min(1, SHADE * x) for x in c)  # RViz's only light is behind the viewer
             return ('<effect id="e%d"><profile_COMMON><technique sid="t"><phong><ambient><color>%s 1</color></ambient>'
                     '<diffuse><color>%s 1</color></diffuse><specular><color>.08 .08 .08 1</color></specular>'
                     '<shininess><float>12</float></shininess></phong></technique></profile_COMMON></effect>\n'
-                    % (i, text, text))
+                    % (i, shade, text))
 
         text = ['<?xml version="1.0" encoding="utf-8"?>\n<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" '
                 'version="1.4.1">\n<asset><contributor><authoring_tool>make_meshes.py</authoring_tool></contributor>'

@@ -24,7 +24,7 @@ SAMPLES = 40
 
 # What a scene needs that is not so for all: `until`, for how long all must be in the view [s]; `pitch` of the camera;
 # `bodies`: nothing but the bodies is shown.
-USUAL = {"until": 20, "pitch": .3, "bodies": False}
+USUAL = {"until": 20, "pitch": .45, "bodies": False}
 TABLE = {
     "damped_tumble": {"pitch": .2},
     "gravity_gradient": {"pitch": .2},
@@ -252,7 +252,7 @@ def left_out(recording, body, displays):
 def view(recording, setting, ride):
     distance, focal = fitted(recording.spheres, setting["pitch"])
     overview = orbit("Overview", distance, focal, setting["pitch"], 0)
-    saved, left = [overview], []
+    saved, left, down = [overview], [], ""
     if ride:
         body = recording.bodies[0] if ride is True else ride
         saved.append(riding(body))
@@ -261,12 +261,13 @@ def view(recording, setting, ride):
                 recording.states[body].momentum_world.z)):
             saved.append(along_momentum(recording, body))
             left.append("Along L: {%s}" % left_out(recording, body, ["Grip"]))
+            down = "Along L: " + body
     lowest = min(p[2] - r for p, r in recording.spheres)
     fields = {
         "wide": "%.2f" % wide(recording.spheres, setting["pitch"], focal),
         "floor_y": "%.1f" % focal[1], "floor_z": "%.2f" % (lowest - .1),
         "floor_cells": "%d" % (8 if distance < 8 else 10 if distance < 15 else 14),
-        "left_out": ", ".join(left),
+        "left_out": ", ".join(left), "down": down,
         "grip": "false" if setting["bodies"] else "true",
         "hidden_still": hidden(recording.namespaces[0], setting["bodies"]),
         "hidden_motion": hidden(recording.namespaces[1], setting["bodies"]),

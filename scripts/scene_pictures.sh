@@ -66,23 +66,36 @@ trap 'exit 130' INT
 trap 'exit 143' TERM
 start_display 1600x900
 
+# picture SCENE: into $raw; 1 where RViz, or the node, ended meanwhile.
+picture() {
+  roslaunch poinsot demo.launch scene:="$1" rviz_config:="$config" rviz_args:=--fullscreen > "$log" 2>&1 &
+  launch_pid=$!
+  local up=no
+  for _ in $(seq 120); do
+    kill -0 "$launch_pid" 2> /dev/null || return 1
+    if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
+    sleep 0.5
+  done
+  [ $up = yes ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $1; see $log"; }
+  sleep 3  # until it has drawn what it was sent
+  kill -0 "$launch_pid" 2> /dev/null || return 1
+  timeout 90 python3 "$root/scripts/show_until.py" "$(at "$1")" || return 1  # without a master it would wait for ever
+  sleep 2
+  kill -0 "$launch_pid" 2> /dev/null || return 1
+  import -window root "$raw"
+}
+
 for scene in "${scenes[@]}"; do
   say "$scene at t = $(at "$scene") s"
   said=$(/usr/bin/python3 "$root/scripts/choose_view.py" "$root/rviz/$scene.rviz" "$config" "$view" 1600x900 2>&1) ||
     bad_use "scene_pictures.sh: $scene: $said"
-  roslaunch poinsot demo.launch scene:="$scene" rviz_config:="$config" rviz_args:=--fullscreen > "$log" 2>&1 &
-  launch_pid=$!
-  up=no
-  for _ in $(seq 120); do
-    kill -0 "$launch_pid" 2> /dev/null || break
-    if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
-    sleep 0.5
+  # With software OpenGL RViz itself crashes now and then.
+  for try in 1 2 3; do
+    if picture "$scene"; then break; fi
+    end_launch
+    [ $try -lt 3 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: $scene: the launch ended early three times; see $log"; }
+    say "$scene: the launch ended early; once more"
   done
-  [ $up = yes ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $scene; see $log"; }
-  sleep 3  # until it has drawn what it was sent
-  python3 "$root/scripts/show_until.py" "$(at "$scene")"
-  sleep 2
-  import -window root "$raw"
   convert "$raw" -resize 960x540 -strip -define png:compression-level=9 -colors 255 "PNG8:$out/$scene.png"
   end_launch
 done

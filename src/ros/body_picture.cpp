@@ -30,8 +30,9 @@ constexpr double kTrailWidth = 0.045;
 constexpr double kBeadDiameter = 0.10;
 constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
 constexpr double kFiguresHeight = 0.19;
-constexpr double kFiguresDepth = 0.55;  // below the title
-constexpr double kTurnDepth = 0.38;     // of Montgomery's angle below the title
+constexpr double kFiguresDepth = 0.13;  // below the title, and
+constexpr double kFiguresDepthALine = 0.105;
+constexpr double kTurnDepth = 0.38;  // of Montgomery's angle below the title
 constexpr double kFlipsHeight = 0.17;
 constexpr double kFlipsDepth = 0.3;  // below the title
 constexpr float kSphereOverlay = 0.05f;
@@ -66,27 +67,49 @@ constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
 constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
-constexpr double kBesideArrow = 0.17;  // m
+constexpr double kBesideArrow = 0.24;  // m
 constexpr double kBesideTorque = 0.25;
 constexpr double kBesideBead = 0.28;
-constexpr double kBeforeLines = 0.15;                  // towards the viewer
-const Eigen::Vector3d kBeforeSurfaces(0.45, 0, 0.18);  // towards a viewer who looks down a little
+constexpr double kBeforeLines = 0.15;  // towards the viewer
+constexpr double kLooksDown = 0.48;    // the viewer, by so much per metre
+constexpr double kViewerDistance = 6;  // m, about
+constexpr double kBeforeSurfaces = 0.45;
 
 /**
- * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on the right while the two are
+ * For a viewer at +x: where ω's name stands beside its arrow, on the side away from L; on L's right while the two are
  * parallel. It passes quickly, but without a jump, from one side to the other.
  */
 Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Vector3d& momentum_world) {
   const Eigen::Vector3d l = momentum_world.normalized();
-  const double lean = omega_metres.y() - omega_metres.dot(l) * l.y();
-  const double side = std::clamp((lean + 0.06) / 0.02, -1.0, 1.0);
-  return {kBeforeLines, kBesideArrow * side, 0};
+  const Eigen::Vector2d to_its_right = Eigen::Vector2d(l.z(), -l.y()).stableNormalized();
+  const double lean = (omega_metres - omega_metres.dot(l) * l).tail<2>().dot(to_its_right);
+  const double side = kBesideArrow * std::clamp((lean + 0.06) / 0.02, -1.0, 1.0);
+  return {kBeforeLines, side * to_its_right.x(), side * to_its_right.y()};
 }
 
-/** For a viewer at +x: where Ω's name stands from its bead, outwards and before the ellipsoids; world axes [m]. */
+/**
+ * For a viewer at +x who looks down a little: where Ω's name stands from its bead, outwards as he sees it, and before
+ * the ellipsoids also while the bead is behind them; world axes [m].
+ */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
-  const Eigen::Vector2d outwards = Eigen::Vector2d(bead.y() + 0.04, bead.z() + 0.02).normalized();
-  return kBeforeSurfaces + kBesideBead * Eigen::Vector3d(0, outwards.x(), outwards.y());
+  const double before = kBeforeSurfaces + std::max(0.0, kBeforeSurfaces - bead.x());
+  const Eigen::Vector2d outwards =
+      kBesideBead * Eigen::Vector2d(bead.y() + 0.04, bead.z() - kLooksDown * bead.x() + 0.02).normalized();
+  return {before, outwards.x(), outwards.y() + kLooksDown * before};
+}
+
+/** How far below the picture in body axes a title is clear of Ω's name, wherever on the polhode that is [m]. */
+double beadSymbolDepth(const Eigen::Quaterniond& principal_to_world, double metres, const view::Polhode& polhode) {
+  constexpr double kClearance = 0.5 * (kSymbolHeight + kTitleHeight) + 0.08;
+  double depth = 0;
+  if (polhode.branches.empty()) return depth;
+  for (const Eigen::Vector3d& omega : polhode.branches.front().points) {
+    const Eigen::Vector3d bead = metres * (principal_to_world * omega);
+    const Eigen::Vector3d symbol = bead + besideBead(bead);
+    const double larger = 1 + std::max(0.0, symbol.x()) / kViewerDistance;
+    depth = std::max(depth, kClearance + larger * (kLooksDown * symbol.x() - symbol.z()));
+  }
+  return depth;
 }
 
 std::string shown(const char* format, double value) {
@@ -218,13 +241,19 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   layout_ = keep ? keep->layout
                  : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
                                   omega_principal_, inertia_.axes().conjugate() * reach_.omega_later);
-  title_depth_ = std::max(kTitleDepth, radius + 0.3);
+  title_depth_ = std::max(
+      {kTitleDepth, radius + 0.3,
+       beadSymbolDepth(layout_.model_orientation * inertia_.axes(), scale_.metres_per_radian_per_second, polhode_)});
   if (torqued_) {
     effects_.emplace(
         brush_, motion,
         EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach_.torque, scale_.metres_per_angular_momentum});
     title_depth_ = std::max(title_depth_, std::min(effects_->depth(), kDeepestTitle));
   }
+}
+
+const char* BodyPicture::regime() const {
+  return view::textOf(polhode_, inertia_.moments());
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
@@ -344,8 +373,9 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
                             (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
   stage_.withdrawOne(brush_.ns(kFlips), kFlips, out);
-  Marker label =
-      brush_.text(kFigures, names::kWorld, belowTitle(start_.position, kFiguresDepth), words, kFiguresHeight);
+  const auto lines = 1 + std::count(words.begin(), words.end(), '\n');
+  const double depth = kFiguresDepth + kFiguresDepthALine * static_cast<double>(lines);  // of its middle
+  Marker label = brush_.text(kFigures, names::kWorld, belowTitle(start_.position, depth), words, kFiguresHeight);
   label.header.stamp = tick.stamp;
   out.markers.push_back(label);
 }
@@ -355,8 +385,8 @@ void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, double tim
   if (tick.time_rate != 0) direction_ = tick.time_rate;
   if (!due(flips_told_, tick.stamp, kFiguresPause)) return;
   flips_told_ = tick.stamp;
-  flips_ = flipsInWords(view::flipsOf(*motion.closedForm(), time, direction_),
-                        polhode_.regime == view::Regime::separatrix);
+  flips_ =
+      flipsInWords(view::flipsOf(*motion.closedForm(), time, direction_), polhode_.regime == view::Regime::separatrix);
   if (figures_shown_) return;  // they tell it
   stage_.put(brush_.text(kFlips, names::kWorld, belowTitle(start_.position, kFlipsDepth), flips_, kFlipsHeight), out);
 }

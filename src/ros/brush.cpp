@@ -24,7 +24,6 @@ std::string Brush::ns(LabelId id) const {
     case kMomentumSymbol:
     case kOmegaPointer:
     case kOmegaSymbol:
-    case kTorqueAtMomentumSymbol:
       return ns(names::kSpace, names::kLabel);
     default:
       return ns(names::kLabel);

@@ -83,7 +83,7 @@ Grip::Grip(const ros::NodeHandle& private_handle)
   entry(near, "smallest moment: stable", spinning(Kind::near, view::Axis::smallest));
   entry(near, "intermediate moment: flips", spinning(Kind::near, view::Axis::intermediate));
   entry(near, "largest moment: stable", spinning(Kind::near, view::Axis::largest));
-  const auto separatrix = menu_.insert("Spin exactly on the separatrix", [this](const Feedback& f) { add(f); });
+  const auto separatrix = menu_.insert("Spin on the separatrix, to rounding", [this](const Feedback& f) { add(f); });
   meaning_[separatrix] = touch(Kind::separatrix);
   const auto reset = menu_.insert("Reset: the scene's own spins", [this](const Feedback& f) { add(f); });
   meaning_[reset] = touch(Kind::reset);
@@ -106,7 +106,7 @@ void Grip::make(const std::string& body, const std::string& frame, const Eigen::
 
   InteractiveMarkerControl control;
   control.name = "lead";
-  control.description = "drag: lead Omega about; right click: spins to choose from";
+  control.description = "drag: lead Omega about; right click: spins to choose from. ";
   // In the plane of the screen. MENU beside it would take the left button too.
   control.interaction_mode = InteractiveMarkerControl::MOVE_3D;
   control.orientation.w = 1;

@@ -301,15 +301,18 @@ std::string Node::reset() {
     change.bodies.insert(i);
     changed = true;
   }
-  if (!changed) {
+  // What is being worked out for a t far away is wanted for t = 0 now.
+  const bool pending = change_ && !change_->all;
+  if (!changed && !pending) {
     clock_.jumpTo(0);
     refused_.clear();
     return "back to t = 0";
   }
-  change.from_start = change.redraw = true;
+  change.from_start = true;
+  change.redraw = changed;
   change.what = "reset";
   ask(std::move(change));
-  return "going back to t = 0 and the scene's own spins";
+  return changed ? "going back to t = 0 and the scene's own spins" : "going back to t = 0";
 }
 
 // Taking hold.
@@ -528,9 +531,9 @@ void Node::publishStatus() {
     b.step = body.motion().setup().step.value_or(std::numeric_limits<double>::quiet_NaN());
     b.methods = scene::methodsFor(scene_.bodies[i]);
     if (const ClosedForm* exact = body.motion().closedForm()) {
-      b.regime = view::textOf(body.picture().regime());
+      b.regime = body.picture().regime();
       if (exact->separatrixDistance() > 0 && exact->separatrixDistance() < kBesideSeparatrix) {
-        b.regime = std::string(view::textOf(view::Regime::separatrix)) + ", to rounding";
+        b.regime = "on the separatrix, to rounding";
       }
       const view::Flips flips = view::flipsOf(*exact, body.state().time, clock_.speed());
       b.flips = flips.flips;

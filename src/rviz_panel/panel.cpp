@@ -16,6 +16,7 @@
 #include "method_choice.h"
 #include "plots.h"
 #include "read_outs.h"
+#include "reset_guard.h"
 #include "scene_choice.h"
 #include "transport.h"
 #include "view_choice.h"
@@ -28,6 +29,7 @@ namespace {
 constexpr int kRefreshEvery = 100;  // ms
 constexpr int kGoodNewsFor = 5000;  // ms
 constexpr int kTroubleFor = 15000;  // ms
+constexpr int kLongWork = 400;      // ms: good news give way to what takes longer
 constexpr int kWidth = 330;
 
 QFrame* line() {
@@ -157,6 +159,7 @@ void Panel::wire() {
 
 void Panel::onInitialize() {
   views_->setManager(vis_manager_);
+  new ResetGuard(vis_manager_, this);
   viewpoint_ = new Viewpoint(vis_manager_, this);
   connect(viewpoint_, &Viewpoint::moved, link_, &NodeLink::setViewpoint);
 }
@@ -211,6 +214,7 @@ void Panel::onStatus(const NodeStatus& status) {
   }
   scene_name_ = scene;
   busy_ = QString::fromStdString(status.busy);
+  if (busy_.isEmpty()) since_idle_.start();
   const QString refused = QString::fromStdString(status.refused);
   if (refused != refused_) {
     refused_ = refused;
@@ -226,6 +230,7 @@ void Panel::onState(const BodyState& state) {
   if (QString::fromStdString(state.body) != method_->body()) return;  // on its way when another was chosen
   newest_ = state;
   plots_->add(state);
+  views_->showState(state);
 }
 
 void Panel::onLost() {
@@ -262,7 +267,8 @@ void Panel::showNotice() {
   if (!said_.isEmpty() && since_said_.hasExpired(said_trouble_ ? kTroubleFor : kGoodNewsFor)) said_.clear();
   QString text;
   bool trouble = false;
-  if (!said_.isEmpty()) {
+  const bool takes_time = !busy_.isEmpty() && since_idle_.hasExpired(kLongWork);
+  if (!said_.isEmpty() && !(takes_time && !said_trouble_)) {
     text = said_;
     trouble = said_trouble_;
   } else if (link_->alive() && link_->waiting()) {

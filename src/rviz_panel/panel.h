@@ -72,6 +72,7 @@ class Panel : public rviz::Panel {
   QString said_;                       ///< what a service answered
   bool said_trouble_ = false;
   QElapsedTimer since_said_;
+  QElapsedTimer since_idle_;  ///< since the node had nothing to work out
 };
 
 }  // namespace poinsot::rviz_panel

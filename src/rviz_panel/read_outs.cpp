@@ -51,13 +51,19 @@ ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
                            "The angle between the attitude as published and the closed form at the same t.");
   flips_ = addRow("flips", "flips",
                   "How often the body turns over from t = 0 to now, by the closed form; negative before it.");
+  flips_title_ = qobject_cast<QLabel*>(grid_->itemAtPosition(3, 0)->widget());
+  flips_title_->setObjectName("flips_title");
   next_flip_ = valueLabel("next_flip", "Simulated seconds to the next flip, in the direction of play.");
   grid_->addWidget(next_flip_, 3, 2);
   cost_ = addRow("cost", "cost", "CPU time that the motion takes per simulated second, measured.");
-  auto* const title = new QLabel("regime");
+  regime_title_ = new QLabel("regime");
+  regime_title_->setToolTip(
+      "What Ω goes round on its polhode: the axis of smallest moment, or that of largest. A body that flips goes round "
+      "one "
+      "of them as well, from one end of the axis between to the other and back. Of the true motion.");
   regime_ = new ElidedLabel;
   regime_->setObjectName("regime");
-  grid_->addWidget(title, 5, 0);
+  grid_->addWidget(regime_title_, 5, 0);
   grid_->addWidget(regime_, 5, 1, 1, 2);
   for (QLabel* wide : {attitude_error_, cost_}) {
     grid_->addWidget(wide, wide == cost_ ? 4 : 2, 1, 1, 2);
@@ -89,19 +95,22 @@ void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
     regime_->setFullText(QString::fromStdString(shown.regime));
     bool in_one = true;  // the words need more room than the figures
     QString flips, next;
+    // What a stepper makes of it may be another thing.
+    const bool of_true_motion = !std::isnan(shown.time_to_next_flip) && shown.method != "closed_form";
     if (std::isnan(shown.time_to_next_flip)) {
       flips = "not foreseen under torque";
     } else if (!shown.flips) {
       flips = "it does not turn over";
     } else {
+      in_one = false;
       flips = text::plain(static_cast<double>(shown.flips_since_start), 15);
       next = std::isinf(shown.time_to_next_flip) ? QString("none to come")
                                                  : "next in " + text::seconds(shown.time_to_next_flip);
-      in_one = shown.method != "closed_form";  // what such a method makes of it may be another thing
-      if (in_one) flips = "by closed form " + flips + ", " + next;
     }
+    setText(flips_title_, of_true_motion ? "true flips" : "flips");
+    setText(regime_title_, of_true_motion ? "true regime" : "regime");
     setText(flips_, flips);
-    setText(next_flip_, in_one ? QString() : next);
+    setText(next_flip_, next);
     grid_->addWidget(flips_, 3, 1, 1, in_one ? 2 : 1);
     return;
   }

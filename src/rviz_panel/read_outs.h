@@ -36,9 +36,11 @@ class ReadOuts : public QWidget {
   QLabel* momentum_;
   QLabel* momentum_drift_;
   QLabel* attitude_error_;
+  QLabel* flips_title_;
   QLabel* flips_;
   QLabel* next_flip_;
   QLabel* cost_;
+  QLabel* regime_title_;
   ElidedLabel* regime_;
 };
 

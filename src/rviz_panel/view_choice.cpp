@@ -9,6 +9,7 @@
 #include <rviz/visualization_manager.h>
 #include <rviz/window_manager_interface.h>
 #include <rviz/yaml_config_reader.h>
+#include <Eigen/Core>
 
 #include <QCheckBox>
 #include <QFileInfo>
@@ -16,6 +17,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
 
 #include "colours.h"
 #include "widgets.h"
@@ -25,6 +28,12 @@ namespace {
 
 constexpr int kLookEvery = 300;  // ms
 constexpr int kColumns = 3;
+constexpr double kUpright = 0.12;  // rad: an L that is so near the vertical is looked down from above, not turned round
+constexpr double kSameWay = 0.005;  // rad
+
+Eigen::Vector3d momentumOf(const BodyState& state) {
+  return {state.momentum_world.x, state.momentum_world.y, state.momentum_world.z};
+}
 
 }  // namespace
 
@@ -101,10 +110,35 @@ void ViewChoice::take(int index) {
   if (index >= views->getNumViews()) return;
   views->setCurrentFrom(views->getViewAt(index));
   choose(views->getViewAt(index)->getName());
+  lookDownMomentum();
+}
+
+void ViewChoice::showState(const BodyState& state) {
+  const bool first = !state_ || state_->body != state.body;
+  const bool begins = first || state_->segment != state.segment;
+  const Eigen::Vector3d before = first ? Eigen::Vector3d::Zero() : momentumOf(*state_).stableNormalized();
+  state_ = state;
+  if (begins && (momentumOf(state).stableNormalized() - before).norm() > kSameWay) lookDownMomentum();
+}
+
+void ViewChoice::lookDownMomentum() {
+  QString body;
+  if (!manager_ || !state_ || !down_momentum_.mapGetString(chosen_, &body) ||
+      body != QString::fromStdString(state_->body)) {
+    return;
+  }
+  const Eigen::Vector3d l = momentumOf(*state_).stableNormalized();
+  rviz::ViewController* const camera = manager_->getViewManager()->getCurrent();
+  if (l.isZero(0) || camera->getClassId() != "rviz/Orbit") return;
+  const bool upright = std::hypot(l.x(), l.y()) < kUpright;
+  const double pitch = upright ? std::copysign(M_PI_2, l.z()) : std::asin(std::clamp(l.z(), -1.0, 1.0));
+  camera->subProp("Pitch")->setValue(static_cast<float>(pitch));
+  camera->subProp("Yaw")->setValue(static_cast<float>(upright ? 0 : std::atan2(l.y(), l.x())));
 }
 
 void ViewChoice::choose(const QString& view) {
   if (view != chosen_) {
+    settleProperties();
     setShown(chosen_, true);
     setShown(view, false);
     chosen_ = view;
@@ -124,14 +158,24 @@ void ViewChoice::setShown(const QString& view, bool shown) {
   rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
   for (int i = 0; i < displays->numDisplays(); ++i) {
     rviz::Display* const display = displays->getDisplayAt(i);
-    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(display->getName());
+    const QString name = display->getName();
+    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(name);
     if (what.getType() == rviz::Config::Value) {
-      display->setEnabled(shown);
+      if (!shown) was_shown_[name] = display->isEnabled();
+      display->setEnabled(shown && was_shown_.value(name, true));
     } else if (what.getType() == rviz::Config::List) {
+      if (!shown) {
+        // Those that are not listed have not come since the display was switched on: as they were before.
+        const rviz::Property* const listed = display->subProp("Namespaces");
+        for (int k = 0; k < listed->numChildren(); ++k) {
+          was_shown_[name + '\n' + listed->childAt(k)->getName()] = listed->childAt(k)->getValue().toBool();
+        }
+      }
       rviz::Config settings;
       rviz::Config namespaces = settings.mapMakeChild("Namespaces");
       for (int k = 0; k < what.listLength(); ++k) {
-        namespaces.mapSetValue(what.listChildAt(k).getValue().toString(), shown);
+        const QString ns = what.listChildAt(k).getValue().toString();
+        namespaces.mapSetValue(ns, shown && was_shown_.value(name + '\n' + ns, true));
       }
       // RViz keeps nothing of a namespace that is hidden: what stands still is sent only to a newcomer.
       const bool enabled = display->isEnabled();
@@ -144,6 +188,7 @@ void ViewChoice::setShown(const QString& view, bool shown) {
 
 void ViewChoice::load(const rviz::Config& panel) {
   hidden_ = panel.mapGetChild("Hidden");
+  down_momentum_ = panel.mapGetChild("Down L");
   QString view;
   if (panel.mapGetString("View", &view)) choose(view);
 }
@@ -151,6 +196,7 @@ void ViewChoice::load(const rviz::Config& panel) {
 void ViewChoice::save(rviz::Config panel) const {
   if (!chosen_.isEmpty()) panel.mapSetValue("View", chosen_);
   if (hidden_.isValid()) panel.mapMakeChild("Hidden").copy(hidden_);
+  if (down_momentum_.isValid()) panel.mapMakeChild("Down L").copy(down_momentum_);
 }
 
 void ViewChoice::fitDisplays(const rviz::Config& file) {
@@ -187,6 +233,7 @@ void ViewChoice::loadViewsOf(const QString& scene) {
   QWidget* const window = manager_->getWindowManager() ? manager_->getWindowManager()->getParentWindow() : nullptr;
   const bool modified = window && window->isWindowModified();
   choose("");  // shows again what the old view left out
+  was_shown_.clear();
   manager_->getViewManager()->load(views);
   fitDisplays(config);
   const rviz::Config panels = config.mapGetChild("Panels");

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <poinsot/BodyState.h>
 #include <rviz/config.h>
 
+#include <QHash>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 
 class QCheckBox;
 class QGridLayout;
@@ -21,8 +24,10 @@ namespace poinsot::rviz_panel {
  * How RViz looks at it: the saved views of the present scene, and a dark or a light background.
  *
  * A view may leave out what would pass before the camera. In a .rviz file the panel's `Hidden` says it, for each view
- * by the name of a display: a list of namespaces of markers, or `true` for the whole display. The panel's `View` is the
- * view that was chosen last.
+ * by the name of a display: a list of namespaces of markers, or `true` for the whole display. What the user has
+ * switched off stays off when such a view is left. A view that `Down L` names looks along the present L of the body
+ * that stands there: when it is chosen, and when the motion begins with another L; else it looks as it was saved. The
+ * panel's `View` is the view that was chosen last.
  */
 class ViewChoice : public QWidget {
   Q_OBJECT
@@ -33,6 +38,9 @@ class ViewChoice : public QWidget {
 
   /** Dark or light; for whoever has room for it. */
   QWidget* light() const;
+
+  /** Of the body that the panel follows. */
+  void showState(const BodyState& state);
 
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
@@ -49,6 +57,7 @@ class ViewChoice : public QWidget {
   void take(int index);
   void choose(const QString& view);
   void setShown(const QString& view, bool shown);
+  void lookDownMomentum();
   void fitDisplays(const rviz::Config& file);
   void markChosen();
   rviz::ColorProperty* background() const;
@@ -61,6 +70,9 @@ class ViewChoice : public QWidget {
   QStringList names_;
   QString chosen_;
   rviz::Config hidden_;
+  rviz::Config down_momentum_;
+  std::optional<BodyState> state_;
+  QHash<QString, bool> was_shown_;  ///< display, or display and namespace: before a view left it out
   QTimer timer_;
 };
 

@@ -1,6 +1,7 @@
 #include "poinsot/view/flips.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "sorted_axes.h"
@@ -28,6 +29,21 @@ struct Beat {
     return last > 0 ? last : last + half;
   }
 };
+
+const char* textOfSteadySpin(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+  Eigen::Index axis;
+  omega.cwiseAbs().maxCoeff(&axis);
+  const auto others = [&](auto compare) {
+    int count = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) count += i != axis && compare(moments[i], moments[axis]);
+    return count;
+  };
+  if (others(std::equal_to<>()) == 1) return "steady about an axis of equal moments";
+  const int larger = others(std::greater<>());
+  return larger == 2   ? "steady about the axis of smallest moment"
+         : larger == 0 ? "steady about the axis of largest moment"
+                       : "steady about the axis of intermediate moment";
+}
 
 }  // namespace
 
@@ -79,8 +95,8 @@ Flips flipsOf(const ClosedForm& motion, double t, double direction) {
   return out;
 }
 
-const char* textOf(Regime regime) {
-  switch (regime) {
+const char* textOf(const Polhode& polhode, const Eigen::Vector3d& moments) {
+  switch (polhode.regime) {
     case Regime::about_smallest:
       return "about the axis of smallest moment";
     case Regime::about_largest:
@@ -90,7 +106,7 @@ const char* textOf(Regime regime) {
     case Regime::circle:
       return "about the axis of symmetry";
     case Regime::axis_spin:
-      return "steady about a principal axis";
+      return textOfSteadySpin(moments, polhode.branches.front().points.front());
     case Regime::sphere:
       return "steady: three equal moments";
     case Regime::rest:

@@ -1,6 +1,7 @@
 // The panel in RViz, driven by mouse and keyboard as a user does, judged by what anybody hears on the node's topics.
 // Usage: test_panel PANEL.rviz, on a display where nobody else is.
 #include <gtest/gtest.h>
+#include <poinsot/SetSpin.h>
 #include <ros/master.h>
 #include <ros/package.h>
 #include <ros/ros.h>
@@ -341,7 +342,7 @@ TEST_F(Panel, aMethodThatDriftsIsSeenToDrift) {
     return text.endsWith(" rad") && text != "0 rad";
   }));
   EXPECT_TRUE(until([] { return find<QLineEdit>("method_step")->isEnabled(); }));
-  EXPECT_TRUE(until([] { return find<QLabel>("flips")->text().startsWith("by closed form "); }));
+  EXPECT_TRUE(until([] { return find<QLabel>("flips_title")->text() == "true flips"; }));
   spin(3);
   shown->picture("panel_lie_euler");
   pick("method", "closed_form");
@@ -451,7 +452,7 @@ TEST_F(Panel, aViewLeavesOutWhatItsFileSays) {
   };
   // What RViz lists has been received since the display was switched on.
   const auto listed = [&](const QString& ns, bool enabled) {
-    const rviz::Property* const all = display("Still")->subProp("Namespaces");
+    rviz::Property* const all = display("Still")->subProp("Namespaces");
     for (int i = 0; i < all->numChildren(); ++i) {
       if (all->childAt(i)->getName() == ns) return all->childAt(i)->getValue().toBool() == enabled;
     }
@@ -476,6 +477,96 @@ TEST_F(Panel, aViewLeavesOutWhatItsFileSays) {
   EXPECT_TRUE(until([&] { return listed("wingnut/shape", true); })) << "RViz was not sent it again";
   EXPECT_TRUE(display("Floor")->isEnabled());
   EXPECT_TRUE(find<QPushButton>("view_0")->isChecked());
+}
+
+TEST_F(Panel, aViewThatIsLeftShowsNothingThatTheUserHid) {
+  rviz::DisplayGroup* const displays = shown->frame().getManager()->getRootDisplayGroup();
+  rviz::Display *floor = displays->getDisplayAt(0), *still = displays->getDisplayAt(1);
+  ASSERT_EQ(floor->getName() + still->getName(), "FloorStill");
+  const auto listed = [&](const QString& ns) {
+    rviz::Property* const all = still->subProp("Namespaces");
+    for (int i = 0; i < all->numChildren(); ++i) {
+      if (all->childAt(i)->getName() == ns) return all->childAt(i);
+    }
+    return static_cast<rviz::Property*>(nullptr);
+  };
+  ASSERT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/label"); }));
+  listed("wingnut/shape")->setValue(false);
+  floor->setEnabled(false);
+  press<QPushButton>("view_1");
+  ASSERT_TRUE(until([&] { return listed("wingnut/label") && !listed("wingnut/label")->getValue().toBool(); }));
+  press<QPushButton>("view_0");
+  ASSERT_TRUE(until([&] { return listed("wingnut/label") && listed("wingnut/label")->getValue().toBool(); }));
+  EXPECT_FALSE(listed("wingnut/shape")->getValue().toBool());
+  EXPECT_FALSE(floor->isEnabled());
+  floor->setEnabled(true);
+  listed("wingnut/shape")->setValue(true);
+  press<QPushButton>("view_1");
+  press<QPushButton>("view_0");
+  EXPECT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/shape")->getValue().toBool(); }));
+  EXPECT_TRUE(floor->isEnabled());
+}
+
+TEST_F(Panel, aViewLooksDownThePresentL) {
+  rviz::ViewManager* const views = shown->frame().getManager()->getViewManager();
+  // How much of L's direction is towards the eye.
+  const auto towards_the_eye = [&] {
+    const double pitch = views->getCurrent()->subProp("Pitch")->getValue().toDouble();
+    const double yaw = views->getCurrent()->subProp("Yaw")->getValue().toDouble();
+    const auto& l = heard->state.momentum_world;
+    return (std::cos(pitch) * (std::cos(yaw) * l.x + std::sin(yaw) * l.y) + std::sin(pitch) * l.z) /
+           std::sqrt(l.x * l.x + l.y * l.y + l.z * l.z);
+  };
+  const auto spin_to = [&](double x, double y, double z) {
+    poinsot::SetSpin wanted;
+    wanted.request.body = "wingnut";
+    wanted.request.omega_body.x = x;
+    wanted.request.omega_body.y = y;
+    wanted.request.omega_body.z = z;
+    EXPECT_TRUE(ros::service::call("/poinsot/set_spin", wanted));
+    EXPECT_TRUE(wanted.response.success) << wanted.response.message;
+    return untilState(
+        [&](const auto& state) { return std::abs(state.omega_body.x - x) + std::abs(state.omega_body.y - y) < 0.5; });
+  };
+  ASSERT_EQ(find<QPushButton>("view_1")->text(), "Along L");
+  press<QPushButton>("view_1");
+  EXPECT_TRUE(until([&] { return towards_the_eye() > 0.99; }))
+      << towards_the_eye();  // from above, where L is nearly upright
+  ASSERT_TRUE(spin_to(2, -1, 1));
+  EXPECT_TRUE(until([&] { return towards_the_eye() > 0.9999; })) << towards_the_eye();
+  // Whoever turns the camera is left alone, until the view is chosen again.
+  views->getCurrent()->subProp("Yaw")->setValue(1.0 + views->getCurrent()->subProp("Yaw")->getValue().toDouble());
+  spin(1);
+  EXPECT_LT(towards_the_eye(), 0.99);
+  press<QPushButton>("view_1");
+  EXPECT_TRUE(until([&] { return towards_the_eye() > 0.9999; })) << towards_the_eye();
+  // The other view is not led.
+  press<QPushButton>("view_0");
+  const double pitch = views->getCurrent()->subProp("Pitch")->getValue().toDouble();
+  ASSERT_TRUE(spin_to(-1, 2, -1));
+  spin(0.5);
+  EXPECT_EQ(views->getCurrent()->subProp("Pitch")->getValue().toDouble(), pitch);
+}
+
+TEST_F(Panel, whatRvizsOwnResetTakesAwayComesBack) {
+  rviz::Display* const still = shown->frame().getManager()->getRootDisplayGroup()->getDisplayAt(1);
+  ASSERT_EQ(still->getName(), "Still");
+  const auto listed = [&](const QString& ns) {
+    rviz::Property* const all = still->subProp("Namespaces");
+    for (int i = 0; i < all->numChildren(); ++i) {
+      if (all->childAt(i)->getName() == ns) return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/space/polhode"); }));
+    spin(1);
+    ASSERT_TRUE(QMetaObject::invokeMethod(&shown->frame(), "reset"));
+    EXPECT_FALSE(listed("wingnut/shape"));
+  }
+  // The body's mesh is loaded again, which RViz alone does not survive.
+  EXPECT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/space/polhode"); }));
+  spin(1);
 }
 
 TEST_F(Panel, theBackgroundIsLightOrDark) {

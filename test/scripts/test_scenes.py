@@ -316,7 +316,7 @@ def phone(path):
     """The time of a turn at the start, those between flips, and the moments."""
     m = simulated(path, 60, 200)["phone"]
     between = np.diff(crossings(m.t, m.omega[:, 1]))[:2]
-    return [2 * np.pi / m.omega[0, 1]] + list(between) + sorted(np.linalg.eigvalsh(tensor(path)))
+    return [2 * np.pi / abs(m.omega[0, 1])] + list(between) + sorted(np.linalg.eigvalsh(tensor(path)))
 
 
 def racket(path):

@@ -180,12 +180,20 @@ TEST(Flips, goOnForAsLongAsTimesAreTold) {
 }
 
 TEST(Flips, everyRegimeHasItsWords) {
-  EXPECT_STREQ(textOf(Regime::about_smallest), "about the axis of smallest moment");
-  EXPECT_STREQ(textOf(polhode({1, 2, 3}, {1, 5, 1}).regime), "about the axis of largest moment");
-  for (const Regime a : {Regime::separatrix, Regime::circle, Regime::axis_spin, Regime::sphere, Regime::rest}) {
-    EXPECT_STRNE(textOf(a), textOf(Regime::about_smallest));
-    EXPECT_GT(std::string(textOf(a)).size(), 5u);
-  }
+  const auto words = [](const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+    return std::string(textOf(polhode(moments, omega), moments));
+  };
+  EXPECT_EQ(words({1, 2, 3}, {2, 5, 1}), "about the axis of smallest moment");
+  EXPECT_EQ(words({1, 2, 3}, {1, 5, 1}), "about the axis of largest moment");
+  EXPECT_EQ(words({3, 2, 1}, {2, 0, 0}), "steady about the axis of largest moment");
+  EXPECT_EQ(words({3, 2, 1}, {0, -2, 0}), "steady about the axis of intermediate moment");
+  EXPECT_EQ(words({3, 2, 1}, {0, 0, 1e-200}), "steady about the axis of smallest moment");
+  EXPECT_EQ(words({2, 2, 1}, {0, 0, 1}), "steady about the axis of smallest moment");
+  EXPECT_EQ(words({2, 2, 1}, {1, 5, 0}), "steady about an axis of equal moments");
+  EXPECT_EQ(words({4, 5, 9}, {3, -1, 1}), "on the separatrix");
+  EXPECT_EQ(words({2, 2, 3}, {1, 5, 1}), "about the axis of symmetry");
+  EXPECT_EQ(words({2, 2, 2}, {1, 5, 1}), "steady: three equal moments");
+  EXPECT_EQ(words({1, 2, 3}, {0, 0, 0}), "at rest");
 }
 
 }  // namespace

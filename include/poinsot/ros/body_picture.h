@@ -54,8 +54,8 @@ class BodyPicture {
   const view::PictureScale& scale() const { return scale_; }
   PictureFrame frame() const { return {layout_, scale_, reach_}; }
 
-  /** At the start. */
-  view::Regime regime() const { return polhode_.regime; }
+  /** Of the free motion at the start, in words. */
+  const char* regime() const;
 
   /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;

@@ -34,7 +34,12 @@ double flipOnSeparatrix(const ClosedForm& motion);
 /** The largest |Λ₂|/|Λ| along the polhode, 0 … 1: 1 on the separatrix; 0 for equal moments and steady spins. */
 double largestSwing(const ClosedForm& motion);
 
-/** In words, to go after "spins" or "turns" or to stand alone: "about the axis of smallest moment". */
-const char* textOf(Regime regime);
+/**
+ * The regime in words, to go after "spins" or "turns" or to stand alone: "about the axis of smallest moment".
+ *
+ * @param moments principal moments [kg·m²], in the order of the polhode's axes; they tell which axis a steady spin is
+ * about.
+ */
+const char* textOf(const Polhode& polhode, const Eigen::Vector3d& moments);
 
 }  // namespace poinsot::view
