@@ -40,6 +40,8 @@ build_package() {
     tail -n 20 "$log" >&2
     fail "the build failed; all of its output is in $log"
   fi
+  # rosrun finds no program below a package's own build/, but follows links.
+  ln -sfn build/devel/lib/poinsot "$root/bin"
 }
 
 # enter_devel: makes the built package visible to roslaunch, rosrun and rospy.

@@ -308,7 +308,7 @@ def main():
         name = os.path.splitext(os.path.basename(path))[0]
         setting = dict(USUAL, **TABLE.get(name, {}))
         recording = Recording(path, setting)
-        write(folder, name, view(recording, setting, True))
+        write(folder, name, view(recording, setting, not setting["bodies"]))
         if name == "dzhanibekov":
             write(folder, "demo", view(recording, setting, None))  # for scenes of your own: no body's name is known
     with tempfile.TemporaryDirectory() as temporary:

@@ -303,6 +303,19 @@ class ChangesTest(unittest.TestCase):
         self.assertGreaterEqual(state.time, there[-1].time)
         self.assertGreater(state.attitude_error, 1e-6)
 
+    def test_reset_does_not_wait_for_a_method(self):
+        self.seek(2e6)
+        self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)  # 5e8 steps: far longer than a test waits
+        since = self.states.count()
+        self.control.reset()
+        state = self.states.next_where(lambda s: s.time < 1e6, seconds=5, since=since)
+        self.assertEqual(state.time, 0)
+        self.assertEqual(self.status.next().bodies[0].method, "lie_euler", "t = 0 is played by the method before")
+        later = self.states.next_where(lambda s: 1 < s.time < 1e6)
+        self.assertEqual(later.segment, state.segment, "one motion from t = 0 on")
+        self.assertGreater(later.attitude_error, 1e-5)
+        self.assertGreater(abs(later.energy_drift), 1e-6)
+
     def test_a_seek_outlives_another_method(self):
         self.change(lambda: self.set_method(BODY, "lie_euler", 0.004))
         self.control.seek(2e5)
