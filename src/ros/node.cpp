@@ -262,7 +262,7 @@ bool Node::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Respo
   }
   refused_.clear();
   response.success = true;
-  response.message = std::string(request.data ? "paused" : "playing") + " at t = " + shown(clock_.time()) + " s";
+  response.message = request.data ? "paused" : "playing";  // where, the next tick tells
   return true;
 }
 

@@ -235,7 +235,8 @@ void Panel::onState(const BodyState& state) {
 
 void Panel::onLost() {
   controls_->setEnabled(false);
-  banner_->setText(QString("No node answers at <b>%1</b>. Start one:<br><tt>roslaunch poinsot demo.launch</tt>")
+  banner_->setText(QString("No node answers at <b>%1</b>. Start one:<br><tt>roslaunch poinsot demo.launch</tt><br>(A "
+                           "recording plays without a node, and there is nothing to lead.)")
                        .arg(link_->node().toHtmlEscaped()));
   banner_->show();
   busy_.clear();

@@ -528,8 +528,10 @@ TEST_F(Panel, aViewLooksDownThePresentL) {
     return untilState(
         [&](const auto& state) { return std::abs(state.omega_body.x - x) + std::abs(state.omega_body.y - y) < 0.5; });
   };
-  ASSERT_EQ(find<QPushButton>("view_1")->text(), "Along L");
-  press<QPushButton>("view_1");
+  // Of this file, or of the scene's, where an earlier test has changed the scene.
+  const QString along = find<QPushButton>("view_1")->text() == "Along L" ? "view_1" : "view_2";
+  ASSERT_EQ(find<QPushButton>(along)->text(), "Along L");
+  press<QPushButton>(along);
   EXPECT_TRUE(until([&] { return towards_the_eye() > 0.99; }))
       << towards_the_eye();  // from above, where L is nearly upright
   ASSERT_TRUE(spin_to(2, -1, 1));
@@ -538,7 +540,7 @@ TEST_F(Panel, aViewLooksDownThePresentL) {
   views->getCurrent()->subProp("Yaw")->setValue(1.0 + views->getCurrent()->subProp("Yaw")->getValue().toDouble());
   spin(1);
   EXPECT_LT(towards_the_eye(), 0.99);
-  press<QPushButton>("view_1");
+  press<QPushButton>(along);
   EXPECT_TRUE(until([&] { return towards_the_eye() > 0.9999; })) << towards_the_eye();
   // The other view is not led.
   press<QPushButton>("view_0");
