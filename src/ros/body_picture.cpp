@@ -72,6 +72,7 @@ constexpr double kBesideTorque = 0.25;
 constexpr double kBesideBead = 0.28;
 constexpr double kBeforeLines = 0.15;  // towards the viewer
 constexpr double kLooksDown = 0.48;    // the viewer, by so much per metre
+constexpr double kLooksAside = 0.37;   // at the picture in body axes, as he looks straight at the other
 constexpr double kViewerDistance = 6;  // m, about
 constexpr double kBeforeSurfaces = 0.45;
 
@@ -88,14 +89,14 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
 }
 
 /**
- * For a viewer at +x who looks down a little: where Ω's name stands from its bead, outwards as he sees it, and before
- * the ellipsoids also while the bead is behind them; world axes [m].
+ * For a viewer at +x who looks down a little, and straight at the picture in world axes: where Ω's name stands from its
+ * bead, outwards as he sees it, and before the ellipsoids also while the bead is behind them; world axes [m].
  */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   const double before = kBeforeSurfaces + std::max(0.0, kBeforeSurfaces - bead.x());
-  const Eigen::Vector2d outwards =
-      kBesideBead * Eigen::Vector2d(bead.y() + 0.04, bead.z() - kLooksDown * bead.x() + 0.02).normalized();
-  return {before, outwards.x(), outwards.y() + kLooksDown * before};
+  const Eigen::Vector2d seen(bead.y() + kLooksAside * bead.x(), bead.z() - kLooksDown * bead.x());
+  const Eigen::Vector2d outwards = kBesideBead * (seen + Eigen::Vector2d(0.04, 0.02)).normalized();
+  return {before, outwards.x() - kLooksAside * before, outwards.y() + kLooksDown * before};
 }
 
 /** How far below the picture in body axes a title is clear of Ω's name, wherever on the polhode that is [m]. */
@@ -354,7 +355,7 @@ std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& moment
   // Beyond the tip; where the torque's arrow begins there, on its other side.
   Eigen::Vector3d symbol_from_tip = 0.12 * tip;
   if (!torque_world.isZero(0)) {
-    const Eigen::Vector3d away = tip.stableNormalized() - torque_world.stableNormalized();
+    const Eigen::Vector3d away = 2 * tip.stableNormalized() - torque_world.stableNormalized();
     symbol_from_tip = kBesideTorque * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
   }
   Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
