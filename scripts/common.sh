@@ -11,6 +11,7 @@ export PYTHONNOUSERSITE=1
 
 # Noted before any setup.bash sets defaults: has the user said where the ROS graph is?
 user_graph=${ROS_MASTER_URI:-}${ROS_IP:-}${ROS_HOSTNAME:-}
+[ "$user_graph" != http://localhost:11311 ] || user_graph=  # such a default, sourced by the user
 
 # stay_on_loopback PORT: keeps the ROS graph on this machine, its master on that port.
 stay_on_loopback() {

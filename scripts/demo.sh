@@ -91,7 +91,7 @@ if [ -z "$duration" ] && [ -z "$screenshot" ]; then
   echo "close RViz or press Ctrl-C to end; the output of the nodes is in $log"
   wait "$launch_pid" || true
   # roslaunch exits 0 whatever its nodes did.
-  if grep -aqE '\[poinsot-[0-9]+\] (process )?has died|process has died \[pid [0-9]+, exit code -[0-9]+, cmd [^ ]*/rviz ' "$log"; then
+  if grep -aqE '\[poinsot-[0-9]+\] (process )?has died|process has died \[pid [0-9]+, exit code -?[1-9][0-9]*, cmd [^ ]*/rviz ' "$log"; then
     died
   fi
   launch_pid=

@@ -3,8 +3,8 @@
 
 Each is scripts/view_template.rviz with three cameras: Overview, which holds everything that the scene's markers reach in
 its first seconds, in a window of 4 : 3 with room for the panel and on a full screen; Riding, which turns with the body;
-Along L, which looks down the angular momentum on the picture in world axes. In the latter two the panel leaves out all
-but that picture. Where things are is asked of `simulate`, so
+Along L, which looks down the angular momentum on the picture in world axes. In the latter two, which a scene of nothing
+but bodies does not have, the panel leaves out all but that picture. Where things are is asked of `simulate`, so
 this wants the package built and its devel/setup.bash sourced. The same files come out every time.
 """
 import glob
@@ -28,10 +28,7 @@ USUAL = {"until": 20, "pitch": .45, "bodies": False}
 TABLE = {
     "damped_tumble": {"pitch": .2},
     "gravity_gradient": {"pitch": .2},
-    "heavy_top_cusps": {"pitch": .45},
-    "heavy_top_loops": {"pitch": .45},
-    "heavy_top_sleeping": {"pitch": .45, "until": 25},
-    "heavy_top_waves": {"pitch": .45},
+    "heavy_top_sleeping": {"until": 25},
     "hundred": {"pitch": .1, "until": .1, "bodies": True},
     "explorer1": {"until": 45},
     "regimes": {"pitch": .2},

@@ -28,7 +28,7 @@ using visualization_msgs::MarkerArray;
 constexpr double kPolhodeWidth = 0.028;
 constexpr double kTrailWidth = 0.045;
 constexpr double kBeadDiameter = 0.10;
-constexpr double kTitleDepth = 1.3;  // of the titles below the centres, at least
+constexpr double kTitleDepth = 1.4;  // of the titles below the centres, at least
 constexpr double kFiguresHeight = 0.19;
 constexpr double kFiguresDepth = 0.13;  // below the title, and
 constexpr double kFiguresDepthALine = 0.105;
@@ -36,6 +36,7 @@ constexpr double kTurnDepth = 0.38;  // of Montgomery's angle below the title
 constexpr double kFlipsHeight = 0.17;
 constexpr double kFlipsDepth = 0.3;  // below the title
 constexpr float kSphereOverlay = 0.05f;
+const ros::Duration kFlipsPause(0.1);
 const ros::Duration kFiguresPause(0.25);  // a label that changed with every tick could not be read
 constexpr double kPointerLength = 0.4;    // of ω's pointer beyond the surface
 
@@ -251,6 +252,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
         EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach_.torque, scale_.metres_per_angular_momentum});
     title_depth_ = std::max(title_depth_, std::min(effects_->depth(), kDeepestTitle));
   }
+  if (keep) title_depth_ = keep->title_depth;
 }
 
 const char* BodyPicture::regime() const {
@@ -384,7 +386,7 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
 void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, double time, MarkerArray& out) {
   if (!may_flip_ || !motion.inClosedForm()) return;  // another method's flips are not those of the closed form
   if (tick.time_rate != 0) direction_ = tick.time_rate;
-  if (!due(flips_told_, tick.stamp, kFiguresPause)) return;
+  if (!due(flips_told_, tick.stamp, kFlipsPause)) return;
   flips_told_ = tick.stamp;
   flips_ =
       flipsInWords(view::flipsOf(*motion.closedForm(), time, direction_), polhode_.regime == view::Regime::separatrix);

@@ -303,6 +303,10 @@ void Node::onSpeed(const std_msgs::Float64& message) {
 
 void Node::onSeek(const std_msgs::Float64& message) {
   const std::lock_guard<FairMutex> lock(mutex_);
+  if (change_ && change_->from_start && !change_->all && std::isfinite(message.data)) {
+    change_->seek = message.data;  // else it would be undone by the start at t = 0
+    return;
+  }
   seek(message.data);
 }
 

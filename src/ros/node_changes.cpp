@@ -92,8 +92,9 @@ Node::Change Node::wantedOfPresentScene() const {
 
 void Node::ask(Change change) {
   // If it is refused, so is all that is done with it.
-  if (change_ && !change.all && !change.redraw && change_->what.find(change.what) == std::string::npos) {
-    change.what = change_->what + " and " + change.what;
+  if (change_ && !change.all && !change.redraw) {
+    const bool named = change_->what.find(change.what) != std::string::npos;
+    change.what = named ? change_->what : change_->what + " and " + change.what;
   }
   change_ = std::move(change);
   if (rebuild_.busy()) {
@@ -166,6 +167,7 @@ void Node::takeFinishedRebuild() {
     }
   }
   if (!problem.empty()) {
+    if (change_->reset) clock_.jumpTo(0);
     refused(change_->what + " refused: " + problem);
     change_.reset();
     endHold();
@@ -177,7 +179,7 @@ void Node::takeFinishedRebuild() {
 void Node::exchange(Rebuild::Result&& made) {
   for (const std::string& said : made.said) ROS_INFO("%s", said.c_str());
   const std::optional<double> sought =
-      seeker_.busy() && !change_->from_start ? std::make_optional(seeker_.time()) : std::nullopt;
+      seeker_.busy() && !change_->from_start ? std::make_optional(seeker_.time()) : change_->seek;
   seeker_.cancel();
   if (change_->all) {
     for (const auto& body : bodies_) diagnostics_.removeByName("body " + body->name());
@@ -308,8 +310,9 @@ std::string Node::reset() {
     refused_.clear();
     return "back to t = 0";
   }
-  change.from_start = true;
-  change.redraw = changed;
+  change.from_start = change.reset = true;
+  change.redraw = change.redraw || changed;
+  change.seek.reset();
   change.what = "reset";
   ask(std::move(change));
   return changed ? "going back to t = 0 and the scene's own spins" : "going back to t = 0";

@@ -123,6 +123,7 @@ void Panel::wire() {
   connect(link_, &NodeLink::statusReceived, this, &Panel::onStatus);
   connect(link_, &NodeLink::stateReceived, this, &Panel::onState);
   connect(link_, &NodeLink::descriptionReceived, plots_, &Plots::setPrincipalAxes);
+  connect(link_, &NodeLink::descriptionReceived, views_, &ViewChoice::showDescription);
   connect(link_, &NodeLink::lost, this, &Panel::onLost);
   connect(link_, &NodeLink::found, this, [this] {
     controls_->setEnabled(true);

@@ -9,24 +9,20 @@
 #include <string>
 #include <vector>
 
-#include "widgets.h"
-
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kLookEvery = 200;                  // ms
+constexpr int kLookEvery = 200;  // ms
+constexpr int kTryEvery = 1000;  // ms
+constexpr int kMostTries = 5;
 const char* const kOurs = "package://poinsot/";  // what the names of our meshes and their materials begin with
 
 }  // namespace
 
 ResetGuard::ResetGuard(rviz::VisualizationManager* manager, QObject* parent) : QObject(parent), manager_(manager) {
-  connect(&timer_, &QTimer::timeout, this, &ResetGuard::look);
+  connect(manager, &rviz::VisualizationManager::preUpdate, this, &ResetGuard::removeStrayMaterials);
+  connect(&timer_, &QTimer::timeout, this, &ResetGuard::refillDisplays);
   timer_.start(kLookEvery);
-}
-
-void ResetGuard::look() {
-  removeStrayMaterials();
-  refillDisplays();
 }
 
 void ResetGuard::removeStrayMaterials() {
@@ -44,19 +40,22 @@ void ResetGuard::removeStrayMaterials() {
 
 void ResetGuard::refillDisplays() {
   rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
-  QSet<QString> filled;
   for (int i = 0; i < displays->numDisplays(); ++i) {
     rviz::Display* const display = displays->getDisplayAt(i);
-    if (display->getClassId() != "rviz/MarkerArray" || !display->isEnabled()) continue;
-    if (display->subProp("Namespaces")->numChildren() > 0) {
-      filled.insert(display->getName());
-    } else if (filled_.contains(display->getName())) {
-      settleProperties();
+    const QString name = display->getName();
+    if (display->getClassId() != "rviz/MarkerArray" || !display->isEnabled()) {
+      filled_.remove(name);
+    } else if (display->subProp("Namespaces")->numChildren() > 0) {
+      filled_[name].tries = 0;
+    } else if (filled_.contains(name)) {
+      Refill& refill = filled_[name];
+      if (refill.tries == kMostTries || (refill.tries > 0 && !refill.since_last.hasExpired(kTryEvery))) continue;
+      ++refill.tries;
+      refill.since_last.start();
       display->setEnabled(false);
       display->setEnabled(true);
     }
   }
-  filled_ = filled;
 }
 
 }  // namespace poinsot::rviz_panel

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <QElapsedTimer>
+#include <QHash>
 #include <QObject>
-#include <QSet>
 #include <QTimer>
 
 namespace rviz {
@@ -13,10 +14,11 @@ namespace poinsot::rviz_panel {
 /**
  * Brings back what RViz's own Reset takes away for good: it drops all markers, and the node sends those that stand
  * still only to whoever subscribes anew. A display of markers that was filled and is all at once empty is switched off
- * and on.
+ * and on, a few times.
  *
  * Reset also drops all meshes, but not their materials, and RViz 1.14 ends when it loads such a mesh again
- * (Ogre::ItemIdentityException). So materials of this package's meshes go here when their mesh has gone.
+ * (Ogre::ItemIdentityException). So materials of this package's meshes go here when their mesh has gone, before the
+ * displays take what has arrived.
  */
 class ResetGuard : public QObject {
   Q_OBJECT
@@ -25,12 +27,16 @@ class ResetGuard : public QObject {
   ResetGuard(rviz::VisualizationManager* manager, QObject* parent);
 
  private:
-  void look();
+  struct Refill {
+    int tries = 0;
+    QElapsedTimer since_last;
+  };
+
   void removeStrayMaterials();
   void refillDisplays();
 
   rviz::VisualizationManager* const manager_;
-  QSet<QString> filled_;  ///< displays, by name
+  QHash<QString, Refill> filled_;  ///< displays that have held markers since they were switched on, by name
   QTimer timer_;
 };
 

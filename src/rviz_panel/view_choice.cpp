@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -29,10 +30,20 @@ namespace {
 constexpr int kLookEvery = 300;  // ms
 constexpr int kColumns = 3;
 constexpr double kUpright = 0.12;  // rad: an L that is so near the vertical is looked down from above, not turned round
-constexpr double kSameWay = 0.005;  // rad
+constexpr double kSameWay = 0.005;        // rad
+constexpr double kBeginning = 0.2;        // s
+constexpr double kLeastMomentum = 0.005;  // m: what is drawn shorter points nowhere
 
 Eigen::Vector3d momentumOf(const BodyState& state) {
   return {state.momentum_world.x, state.momentum_world.y, state.momentum_world.z};
+}
+
+/**
+ * RViz sends its list of views calls with bare pointers to properties of a new one; they are to have arrived before
+ * another one takes its place.
+ */
+void settleProperties() {
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
 }
 
 }  // namespace
@@ -108,14 +119,22 @@ void ViewChoice::listViews() {
 void ViewChoice::take(int index) {
   rviz::ViewManager* const views = manager_->getViewManager();
   if (index >= views->getNumViews()) return;
+  settleProperties();
   views->setCurrentFrom(views->getViewAt(index));
+  camera_ = views->getCurrent();
   choose(views->getViewAt(index)->getName());
   lookDownMomentum();
 }
 
+void ViewChoice::showDescription(const BodyDescription& description) {
+  description_ = description;
+}
+
 void ViewChoice::showState(const BodyState& state) {
   const bool first = !state_ || state_->body != state.body;
-  const bool begins = first || state_->segment != state.segment;
+  // A seek begins a segment as well, and under torques L is another one there.
+  const bool begins = first || (state_->segment != state.segment &&
+                                (!std::isnan(state.attitude_error) || std::abs(state.time) < kBeginning));
   const Eigen::Vector3d before = first ? Eigen::Vector3d::Zero() : momentumOf(*state_).stableNormalized();
   state_ = state;
   if (begins && (momentumOf(state).stableNormalized() - before).norm() > kSameWay) lookDownMomentum();
@@ -127,9 +146,12 @@ void ViewChoice::lookDownMomentum() {
       body != QString::fromStdString(state_->body)) {
     return;
   }
-  const Eigen::Vector3d l = momentumOf(*state_).stableNormalized();
+  // Not one that was chosen elsewhere, such as in the dock Views.
   rviz::ViewController* const camera = manager_->getViewManager()->getCurrent();
-  if (l.isZero(0) || camera->getClassId() != "rviz/Orbit") return;
+  if (!camera || camera != camera_ || camera->getClassId() != "rviz/Orbit") return;
+  const double drawn = description_.body == state_->body ? description_.metres_per_angular_momentum : 1;
+  const Eigen::Vector3d l = momentumOf(*state_).stableNormalized();
+  if (l.isZero(0) || drawn * momentumOf(*state_).stableNorm() < kLeastMomentum) return;
   const bool upright = std::hypot(l.x(), l.y()) < kUpright;
   const double pitch = upright ? std::copysign(M_PI_2, l.z()) : std::asin(std::clamp(l.z(), -1.0, 1.0));
   camera->subProp("Pitch")->setValue(static_cast<float>(pitch));
@@ -138,8 +160,8 @@ void ViewChoice::lookDownMomentum() {
 
 void ViewChoice::choose(const QString& view) {
   if (view != chosen_) {
-    settleProperties();
     setShown(chosen_, true);
+    rememberShown(view);
     setShown(view, false);
     chosen_ = view;
   }
@@ -154,6 +176,24 @@ void ViewChoice::markChosen() {
   }
 }
 
+void ViewChoice::rememberShown(const QString& view) {
+  rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
+  for (int i = 0; i < displays->numDisplays(); ++i) {
+    rviz::Display* const display = displays->getDisplayAt(i);
+    const QString name = display->getName();
+    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(name);
+    if (what.getType() == rviz::Config::Value) {
+      was_shown_[name] = display->isEnabled();
+    } else if (what.getType() == rviz::Config::List) {
+      // Those that are not listed have not come since the display was switched on: as they were before.
+      const rviz::Property* const listed = display->subProp("Namespaces");
+      for (int k = 0; k < listed->numChildren(); ++k) {
+        was_shown_[name + '/' + listed->childAt(k)->getName()] = listed->childAt(k)->getValue().toBool();
+      }
+    }
+  }
+}
+
 void ViewChoice::setShown(const QString& view, bool shown) {
   rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
   for (int i = 0; i < displays->numDisplays(); ++i) {
@@ -161,21 +201,13 @@ void ViewChoice::setShown(const QString& view, bool shown) {
     const QString name = display->getName();
     const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(name);
     if (what.getType() == rviz::Config::Value) {
-      if (!shown) was_shown_[name] = display->isEnabled();
       display->setEnabled(shown && was_shown_.value(name, true));
     } else if (what.getType() == rviz::Config::List) {
-      if (!shown) {
-        // Those that are not listed have not come since the display was switched on: as they were before.
-        const rviz::Property* const listed = display->subProp("Namespaces");
-        for (int k = 0; k < listed->numChildren(); ++k) {
-          was_shown_[name + '\n' + listed->childAt(k)->getName()] = listed->childAt(k)->getValue().toBool();
-        }
-      }
       rviz::Config settings;
       rviz::Config namespaces = settings.mapMakeChild("Namespaces");
       for (int k = 0; k < what.listLength(); ++k) {
         const QString ns = what.listChildAt(k).getValue().toString();
-        namespaces.mapSetValue(ns, shown && was_shown_.value(name + '\n' + ns, true));
+        namespaces.mapSetValue(ns, shown && was_shown_.value(name + '/' + ns, true));
       }
       // RViz keeps nothing of a namespace that is hidden: what stands still is sent only to a newcomer.
       const bool enabled = display->isEnabled();
@@ -189,14 +221,26 @@ void ViewChoice::setShown(const QString& view, bool shown) {
 void ViewChoice::load(const rviz::Config& panel) {
   hidden_ = panel.mapGetChild("Hidden");
   down_momentum_ = panel.mapGetChild("Down L");
-  QString view;
-  if (panel.mapGetString("View", &view)) choose(view);
+  was_shown_.clear();
+  const rviz::Config off = panel.mapGetChild("Switched Off");
+  for (int i = 0; i < off.listLength(); ++i) was_shown_[off.listChildAt(i).getValue().toString()] = false;
+  if (manager_) camera_ = manager_->getViewManager()->getCurrent();
+  // What is hidden now has been hidden by this view, as the file was saved, and not by the user.
+  chosen_.clear();
+  panel.mapGetString("View", &chosen_);
+  setShown(chosen_, false);
+  markChosen();
 }
 
 void ViewChoice::save(rviz::Config panel) const {
   if (!chosen_.isEmpty()) panel.mapSetValue("View", chosen_);
   if (hidden_.isValid()) panel.mapMakeChild("Hidden").copy(hidden_);
   if (down_momentum_.isValid()) panel.mapMakeChild("Down L").copy(down_momentum_);
+  QStringList off = was_shown_.keys(false);
+  if (!hidden_.mapGetChild(chosen_).isValid() || off.isEmpty()) return;
+  off.sort();
+  rviz::Config list = panel.mapMakeChild("Switched Off");
+  for (const QString& what : off) list.listAppendNew().setValue(what);
 }
 
 void ViewChoice::fitDisplays(const rviz::Config& file) {
@@ -233,7 +277,7 @@ void ViewChoice::loadViewsOf(const QString& scene) {
   QWidget* const window = manager_->getWindowManager() ? manager_->getWindowManager()->getParentWindow() : nullptr;
   const bool modified = window && window->isWindowModified();
   choose("");  // shows again what the old view left out
-  was_shown_.clear();
+  settleProperties();
   manager_->getViewManager()->load(views);
   fitDisplays(config);
   const rviz::Config panels = config.mapGetChild("Panels");

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <poinsot/BodyDescription.h>
 #include <poinsot/BodyState.h>
 #include <rviz/config.h>
 
 #include <QHash>
+#include <QPointer>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
@@ -15,6 +17,7 @@ class QLabel;
 
 namespace rviz {
 class ColorProperty;
+class ViewController;
 class VisualizationManager;
 }  // namespace rviz
 
@@ -39,8 +42,9 @@ class ViewChoice : public QWidget {
   /** Dark or light; for whoever has room for it. */
   QWidget* light() const;
 
-  /** Of the body that the panel follows. */
+  // Of the body that the panel follows.
   void showState(const BodyState& state);
+  void showDescription(const BodyDescription& description);
 
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
@@ -57,6 +61,7 @@ class ViewChoice : public QWidget {
   void take(int index);
   void choose(const QString& view);
   void setShown(const QString& view, bool shown);
+  void rememberShown(const QString& view);
   void lookDownMomentum();
   void fitDisplays(const rviz::Config& file);
   void markChosen();
@@ -72,7 +77,9 @@ class ViewChoice : public QWidget {
   rviz::Config hidden_;
   rviz::Config down_momentum_;
   std::optional<BodyState> state_;
-  QHash<QString, bool> was_shown_;  ///< display, or display and namespace: before a view left it out
+  BodyDescription description_;
+  QPointer<rviz::ViewController> camera_;  ///< that of the chosen view, for as long as it is the one in use
+  QHash<QString, bool> was_shown_;         ///< "display", or "display/namespace": before a view left it out
   QTimer timer_;
 };
 

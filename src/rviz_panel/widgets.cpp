@@ -2,7 +2,6 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QProxyStyle>
@@ -76,10 +75,6 @@ void ElidedLabel::elide() {
   const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width());
   setText(shown);
   setToolTip(shown == full_ ? QString() : full_);
-}
-
-void settleProperties() {
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
 }
 
 void leaveWheelToPanel(QWidget* widget) {

@@ -62,12 +62,6 @@ class ElidedLabel : public QLabel {
   QString full_;
 };
 
-/**
- * To be called before displays are switched: RViz sends its list of displays calls with bare pointers to properties,
- * which are to have arrived before a display that is switched off deletes these.
- */
-void settleProperties();
-
 /** Lets the wheel scroll the panel rather than change a widget that does not have the focus. */
 void leaveWheelToPanel(QWidget* widget);
 

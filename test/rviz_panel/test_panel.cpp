@@ -507,6 +507,27 @@ TEST_F(Panel, aViewThatIsLeftShowsNothingThatTheUserHid) {
   EXPECT_TRUE(floor->isEnabled());
 }
 
+TEST_F(Panel, aViewThatWasSavedBringsBackWhatItLeftOut) {
+  auto* const panel = find<rviz::Panel>("poinsot_panel");
+  rviz::DisplayGroup* const displays = shown->frame().getManager()->getRootDisplayGroup();
+  rviz::Display *floor = displays->getDisplayAt(0), *still = displays->getDisplayAt(1);
+  ASSERT_EQ(floor->getName() + still->getName(), "FloorStill");
+  for (const bool wanted : {true, false}) {
+    press<QPushButton>("view_0");
+    floor->setEnabled(wanted);
+    press<QPushButton>("view_1");
+    EXPECT_FALSE(floor->isEnabled());
+    rviz::Config saved;
+    panel->save(saved);
+    // As RViz begins with it: the display as it was saved, then the panel.
+    panel->load(saved);
+    EXPECT_FALSE(floor->isEnabled());
+    press<QPushButton>("view_0");
+    EXPECT_EQ(floor->isEnabled(), wanted);
+  }
+  floor->setEnabled(true);
+}
+
 TEST_F(Panel, aViewLooksDownThePresentL) {
   rviz::ViewManager* const views = shown->frame().getManager()->getViewManager();
   // How much of L's direction is towards the eye.
@@ -542,6 +563,12 @@ TEST_F(Panel, aViewLooksDownThePresentL) {
   EXPECT_LT(towards_the_eye(), 0.99);
   press<QPushButton>(along);
   EXPECT_TRUE(until([&] { return towards_the_eye() > 0.9999; })) << towards_the_eye();
+  // Nor is one that was chosen in RViz's own list.
+  views->setCurrentFrom(views->getViewAt(0));
+  const double own = views->getCurrent()->subProp("Pitch")->getValue().toDouble();
+  ASSERT_TRUE(spin_to(2, 1, -1));
+  spin(0.5);
+  EXPECT_EQ(views->getCurrent()->subProp("Pitch")->getValue().toDouble(), own);
   // The other view is not led.
   press<QPushButton>("view_0");
   const double pitch = views->getCurrent()->subProp("Pitch")->getValue().toDouble();

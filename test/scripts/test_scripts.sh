@@ -103,17 +103,18 @@ expect "a picture without them would be noticed" 1 'orange' colours "$work/empty
 found() { bash -c "source '$build/devel/setup.bash' && rosrun poinsot propagate --help"; }
 expect "rosrun finds the programs of a build in the package's own directory" 0 'Output columns: id,t,qw' found
 
-# A second demo, on a display, whose RViz crashes.
+# A second demo, on a display, in a shell that has sourced ROS, whose RViz crashes.
 crash() {
-  local listener demo_pid pid= code log=$work/second.log
+  local listener demo_pid pid= port code log=$work/second.log
   python3 -c 'import socket, time
 s = socket.socket(); s.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1); s.bind(("127.0.0.1", 11311)); s.listen(); time.sleep(300)' &
   listener=$!
   sleep 1
-  (unset ROS_MASTER_URI ROS_IP ROS_HOSTNAME; exec "$demo") > "$log" 2>&1 &
+  (unset ROS_IP ROS_HOSTNAME; ROS_MASTER_URI=http://localhost:11311 exec timeout 180 "$demo") > "$log" 2>&1 &
   demo_pid=$!
   for _ in $(seq 120); do
-    pid=$(cat "$build"/demo-*.log 2> /dev/null | sed -n 's/.*process\[rviz-[0-9]*\]: started with pid \[\([0-9]*\)\].*/\1/p' | tail -n 1)
+    port=$(sed -n 's|.*the ROS master of this demo is at http://127.0.0.1:||p' "$log")
+    [ -z "$port" ] || pid=$(sed -n 's/.*process\[rviz-[0-9]*\]: started with pid \[\([0-9]*\)\].*/\1/p' "$build/demo-$port.log" 2> /dev/null)
     [ -z "$pid" ] || break
     sleep 0.5
   done
@@ -122,10 +123,10 @@ s = socket.socket(); s.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1); s.
   wait "$demo_pid"
   code=$?
   kill $listener 2> /dev/null
+  [ -z "$port" ] || rm -f "$build/demo-$port.log"
   cat "$log"
   return $code
 }
-rm -f "$build"/demo-*.log
 start_display 1600x900
 expect "demo.sh beside another one takes a master of its own" 1 'port 11311 is taken: the ROS master of this demo is at http' crash
 expect "demo.sh says that RViz crashed" 0 'the launch ended early' cat "$work/second.log"

@@ -29,7 +29,8 @@ visualization_msgs::MarkerArray clearedMarkers();
 struct PictureFrame {
   view::Layout layout;
   view::PictureScale scale;
-  view::Reach reach;  ///< of a body under torques
+  view::Reach reach;   ///< of a body under torques
+  double title_depth;  ///< of the titles below the centres [m]
 };
 
 /**
@@ -52,7 +53,7 @@ class BodyPicture {
 
   const view::Layout& layout() const { return layout_; }
   const view::PictureScale& scale() const { return scale_; }
-  PictureFrame frame() const { return {layout_, scale_, reach_}; }
+  PictureFrame frame() const { return {layout_, scale_, reach_, title_depth_}; }
 
   /** Of the free motion at the start, in words. */
   const char* regime() const;

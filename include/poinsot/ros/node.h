@@ -70,6 +70,8 @@ class Node {
     bool all = false;              ///< another scene: no body stays
     bool from_start = false;       ///< at t = 0
     bool redraw = false;           ///< pictures are laid out anew
+    bool reset = false;            ///< ~reset is part of it
+    std::optional<double> seek;    ///< where t is to go when it is done
     std::string what;              ///< is being done, in words
   };
   /** The scene as it is to be once all that was asked for is done. */
