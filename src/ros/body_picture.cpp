@@ -65,7 +65,7 @@ const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that o
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
 constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
-constexpr double kDeepestTitle = 1.6;     // m: below it, the figures would leave the view
+constexpr double kDeepestTitle = 1.9;     // m: below it, the figures would leave the view
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
 constexpr double kBesideArrow = 0.24;  // m

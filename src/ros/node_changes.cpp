@@ -49,11 +49,6 @@ bool answered(Response& response, const Act& act, const Refuse& refuse) {
   return true;
 }
 
-std::string tooManySteps(const std::string& body, double time, double steps, double step) {
-  return "body \"" + body + "\": to t = " + shown(time) + " s there are " + shown(steps) + " steps of " + shown(step) +
-         " s; allowed: at most " + shown(kMostSteps) + ", nearer to t = 0";
-}
-
 const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "poinsot/cost/settle.h"
+#include "poinsot/ros/limits.h"
+#include "poinsot/ros/number_text.h"
 
 namespace poinsot::node {
 namespace {
@@ -22,7 +24,12 @@ std::optional<PictureFrame> ifItFits(const std::optional<PictureFrame>& keep, co
   return std::nullopt;
 }
 
-void moveAhead(Motion& motion, double time, const std::atomic<bool>& cancelled) {
+void moveAhead(Body& body, double time, const std::atomic<bool>& cancelled) {
+  Motion& motion = body.motion();
+  const double steps = motion.stepsTo(time);
+  if (!(steps <= kMostSteps)) {
+    throw std::runtime_error(tooManySteps(body.name(), time, steps, *motion.setup().step));
+  }
   if (cancelled || !motion.prepare(time, cancelled)) throw std::runtime_error("given up");
   motion.at(time);  // throws where there is nothing to publish
 }
@@ -37,7 +44,7 @@ Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const 
     order.scene.bodies[order.bodies[k]] = body;
     out.bodies.push_back(std::make_unique<Body>(body, order.frame_prefix, order.rate, handle,
                                                 k < order.keep.size() ? ifItFits(order.keep[k], body) : std::nullopt));
-    moveAhead(out.bodies.back()->motion(), order.time, cancelled);
+    moveAhead(*out.bodies.back(), order.time, cancelled);
   }
   out.scene = std::move(order.scene);
   out.indices = std::move(order.bodies);
@@ -45,6 +52,11 @@ Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const 
 }
 
 }  // namespace
+
+std::string tooManySteps(const std::string& body, double time, double steps, double step) {
+  return "body \"" + body + "\": to t = " + shown(time) + " s there are " + shown(steps) + " steps of " + shown(step) +
+         " s; allowed: at most " + shown(kMostSteps) + ", nearer to t = 0";
+}
 
 Rebuild::~Rebuild() {
   cancel();
@@ -61,7 +73,7 @@ void Rebuild::start(Order order, const ros::NodeHandle& handle) {
 void Rebuild::goOn(Result made, double time) {
   cancelled_ = false;
   work_ = std::async(std::launch::async, [this, made = std::move(made), time]() mutable {
-    for (const auto& body : made.bodies) moveAhead(body->motion(), time, cancelled_);
+    for (const auto& body : made.bodies) moveAhead(*body, time, cancelled_);
     return std::move(made);
   });
 }

@@ -14,6 +14,9 @@
 
 namespace poinsot::node {
 
+/** Why a body under a stepper does not go to t = `time` [s], in words. */
+std::string tooManySteps(const std::string& body, double time, double steps, double step);
+
 /** Makes bodies of a scene anew on a thread of its own, so that what plays goes on meanwhile. */
 class Rebuild {
  public:
