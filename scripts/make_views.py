@@ -24,11 +24,14 @@ SAMPLES = 40
 
 # What a scene needs that is not so for all: `until`, for how long all must be in the view [s]; `pitch` of the camera;
 # `bodies`: nothing but the bodies is shown.
-USUAL = {"until": 20, "pitch": .45, "bodies": False}
+USUAL = {"until": 20, "pitch": .38, "bodies": False}
 TABLE = {
     "damped_tumble": {"pitch": .2},
     "gravity_gradient": {"pitch": .2},
-    "heavy_top_sleeping": {"until": 25},
+    "heavy_top_cusps": {"pitch": .45},
+    "heavy_top_loops": {"pitch": .45},
+    "heavy_top_sleeping": {"pitch": .45, "until": 25},
+    "heavy_top_waves": {"pitch": .45},
     "hundred": {"pitch": .1, "until": .1, "bodies": True},
     "explorer1": {"until": 45},
     "regimes": {"pitch": .2},

@@ -46,7 +46,7 @@ constexpr double kTrailLift = 1.020;
 
 constexpr double kTrailShare = 0.6;       // of the polhode: a trail that met itself would flicker
 constexpr double kStrayTrailShare = 1.5;  // where Ω may leave the polhode, to be seen doing so
-constexpr double kTrailSpacing = 0.018;   // m
+constexpr double kTrailSpacing = 0.03;   // m
 
 // Of a body under torques.
 constexpr double kTorquedTrailLength = 1.5;    // m: the newest stretch of its path
