@@ -4,7 +4,7 @@
 # Usage: benchmark/frame_rate.sh SCENE [VIEW] [OPTION ...]
 #   SCENE      a name in scenes/
 #   VIEW       a name in rviz/, or the path of a .rviz file (default: the scene's, or demo)
-#   OPTION ... of rviz_frame_rate: --seconds S, --rounds N, --rate HZ
+#   OPTION ... of rviz_frame_rate: --seconds S, --rounds N, --rate HZ, --disable-anti-aliasing
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 case "${1:-}" in
   '' | -h | --help) usage; exit 0 ;;

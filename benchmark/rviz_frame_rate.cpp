@@ -1,9 +1,10 @@
 // How many pictures a second RViz draws of a view, beside an RViz that shows nothing in a picture of the same size.
-// Usage: rviz_frame_rate VIEW.rviz [--seconds S] [--rounds N] [--rate HZ]
+// Usage: rviz_frame_rate VIEW.rviz [--seconds S] [--rounds N] [--rate HZ] [--disable-anti-aliasing]
 #include <OgreFrameListener.h>
 #include <OgreRoot.h>
 #include <ros/ros.h>
 #include <rviz/display_group.h>
+#include <rviz/ogre_helpers/render_system.h>
 #include <rviz/properties/property.h>
 #include <rviz/render_panel.h>
 #include <rviz/visualization_frame.h>
@@ -117,8 +118,11 @@ int main(int argc, char** argv) {
   options.add_option("--rounds", rounds, "of both, in turn (3)")->check(CLI::PositiveNumber);
   options.add_option("--rate", rate, "what RViz is asked for [Hz] (60); more shows what it can do")
       ->check(CLI::PositiveNumber);
+  bool jagged = false;
+  options.add_flag("--disable-anti-aliasing", jagged, "of both, as RViz's own option of that name does");
   CLI11_PARSE(options, argc, argv);
 
+  if (jagged) rviz::RenderSystem::disableAntiAliasing();
   QApplication application(argc, argv);
   const QTemporaryDir directory;
   const QString nothing = directory.filePath("nothing.rviz");
