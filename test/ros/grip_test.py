@@ -328,7 +328,7 @@ class GripTest(unittest.TestCase):
         self.assertLess((AXES.T @ array(flipped.omega_body))[1] * (AXES.T @ array(after.omega_body))[1], 0)
 
     def test_on_the_separatrix(self):
-        after = self.choose("Spin exactly on the separatrix")
+        after = self.choose("Spin exactly on the separatrix (to rounding)")
         omega = array(after.omega_body)
         self.assertAlmostEqual(momentum(omega) ** 2 / (2 * energy(omega) * MOMENTS[1]), 1, delta=1e-14)
         # Roundoff may leave it a hair beside.
@@ -337,7 +337,7 @@ class GripTest(unittest.TestCase):
 
     def test_a_symmetric_body_has_no_separatrix(self):
         before = self.states.last()
-        self.act(InteractiveMarkerFeedback.MENU_SELECT, entry="Spin exactly on the separatrix", body="disc")
+        self.act(InteractiveMarkerFeedback.MENU_SELECT, entry="Spin exactly on the separatrix (to rounding)", body="disc")
         self.refuse("disc", "two moments are equal")
         self.assertEqual(self.states.next().segment, before.segment)
 
