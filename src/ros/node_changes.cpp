@@ -528,12 +528,13 @@ void Node::publishStatus() {
     b.method = body.motion().setup().method;
     b.step = body.motion().setup().step.value_or(std::numeric_limits<double>::quiet_NaN());
     b.methods = scene::methodsFor(scene_.bodies[i]);
-    if (const ClosedForm* exact = body.motion().closedForm()) {
-      b.regime = body.picture().regime();
+    const MovingBody& seen = drawn(i);
+    if (const ClosedForm* exact = seen.motion().closedForm()) {
+      b.regime = seen.picture().regime();
       if (exact->separatrixDistance() > 0 && exact->separatrixDistance() < kBesideSeparatrix) {
         b.regime = "on the separatrix, to rounding";
       }
-      const view::Flips flips = view::flipsOf(*exact, body.state().time, clock_.speed());
+      const view::Flips flips = view::flipsOf(*exact, seen.state().time, clock_.speed());
       b.flips = flips.flips;
       b.flips_since_start = flips.since_start;
       b.time_to_next_flip = flips.to_next;

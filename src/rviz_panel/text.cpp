@@ -13,7 +13,7 @@ QString withMinus(QString text) {
 }  // namespace
 
 QString time(double value) {
-  const QString number = std::abs(value) < 1e7 ? QString::number(value, 'f', 2) : QString::number(value, 'g', 15);
+  const QString number = std::abs(value) < 1e12 ? QString::number(value, 'f', 2) : QString::number(value, 'g', 15);
   return withMinus(number == "-0.00" ? "0.00" : number);
 }
 

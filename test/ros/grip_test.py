@@ -148,6 +148,7 @@ class GripTest(unittest.TestCase):
         held = array(before.omega_body)
         e_axes, l_axes = self.semi_axes("energy_ellipsoid"), self.semi_axes("momentum_ellipsoid")
         directions = [AXES @ np.array(d) for d in ([1, 0.2, 0.3], [1, 0.6, 0.1], [0.2, 0.3, 1.0])]
+        families = set()
         for direction in directions:
             self.lead(1.7 * direction)  # off the surface: what counts is where it points
             omega = direction * math.sqrt(energy(held) / energy(direction))
@@ -160,11 +161,17 @@ class GripTest(unittest.TestCase):
                 m.ns == BODY + "/model/omega" and
                 np.linalg.norm(array(m.pose.position) - self.metres * omega) < 1e-6 for m in a.markers))
             self.assertTrue(bead)
+            d = AXES.T @ direction
+            side = (MOMENTS[2] * (MOMENTS[2] - MOMENTS[1]) * d[2] ** 2 - MOMENTS[0] * (MOMENTS[1] - MOMENTS[0]) * d[0] ** 2)
+            words = "about the axis of %s moment" % ("largest" if side > 0 else "smallest")
+            self.status.next_where(lambda s: s.bodies[0].regime == words, seconds=5)
+            families.add(words)
             polhode = self.drawn("polhode")
             points = np.array([array(p) for p in polhode.points])
             q = polhode.pose.orientation
             points = points @ rotation(q).T
             self.assertLess(np.min(np.linalg.norm(points / 1.01 - self.metres * omega, axis=1)), 0.05)
+        self.assertEqual(len(families), 2, "the separatrix was not crossed")
         state = self.states.next()
         self.assertEqual((state.time, state.segment), (before.time, before.segment), "held, not moved")
         after = self.let_go()
