@@ -81,6 +81,15 @@ if [ $headless = yes ]; then
   screenshot=${screenshot:-$build/demo.png}
 fi
 
+# Without a graphics device it is anti-aliasing that RViz spends its time on. Pictures are taken with it all the same.
+drawn_by_software() {
+  [ -n "${LIBGL_ALWAYS_SOFTWARE:-}" ] || ! { compgen -G '/dev/dri/*' || compgen -G '/dev/nvidia[0-9]*'; } > /dev/null
+}
+if [ $headless = no ] && [ -z "$screenshot" ] && drawn_by_software; then
+  echo "no graphics device: RViz draws by software, and without anti-aliasing"
+  rviz_args=--disable-anti-aliasing
+fi
+
 say "showing $scene"
 roslaunch poinsot demo.launch "$what" rviz_args:="$rviz_args" > "$log" 2>&1 &
 launch_pid=$!

@@ -129,6 +129,7 @@ s = socket.socket(); s.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1); s.
 }
 start_display 1600x900
 expect "demo.sh beside another one takes a master of its own" 1 'port 11311 is taken: the ROS master of this demo is at http' crash
+expect "demo.sh draws without anti-aliasing where software draws" 0 'without anti-aliasing' cat "$work/second.log"
 expect "demo.sh says that RViz crashed" 0 'the launch ended early' cat "$work/second.log"
 kill "$display_pid"
 
