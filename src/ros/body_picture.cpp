@@ -46,7 +46,7 @@ constexpr double kTrailLift = 1.020;
 
 constexpr double kTrailShare = 0.6;       // of the polhode: a trail that met itself would flicker
 constexpr double kStrayTrailShare = 1.5;  // where Ω may leave the polhode, to be seen doing so
-constexpr double kTrailSpacing = 0.03;   // m
+constexpr double kTrailSpacing = 0.03;    // m
 
 // Of a body under torques.
 constexpr double kTorquedTrailLength = 1.5;    // m: the newest stretch of its path
@@ -355,10 +355,11 @@ std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& moment
   Marker l = brush_.arrow(brush_.ns(names::kSpace, names::kAngularMomentum), 0, brush_.frames().space,
                           Eigen::Vector3d::Zero(), tip);
   // Beyond the tip; where the torque's arrow begins there, on its other side.
-  Eigen::Vector3d symbol_from_tip = 0.12 * tip;
+  const double end_on = std::pow(tip.stableNormalized().x(), 2);  // 1: the arrow's head hides what is behind the tip
+  Eigen::Vector3d symbol_from_tip = 0.12 * tip + kBesideTorque * end_on * Eigen::Vector3d::UnitZ();
   if (!torque_world.isZero(0)) {
     const Eigen::Vector3d away = 2 * tip.stableNormalized() - torque_world.stableNormalized();
-    symbol_from_tip = kBesideTorque * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
+    symbol_from_tip = kBesideTorque * (1 + end_on) * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
   }
   Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
   l.color = symbol.color = palette::angularMomentum();
