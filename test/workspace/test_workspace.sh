@@ -68,7 +68,7 @@ copy_package() {
       [ ! -f "$file" ] || printf '%s\0' "$file"  # listed but deleted
     done | tar --null -T - -cf -) | tar -C "$to" -xf -
   else
-    (cd "$root" && tar --exclude=./build --exclude=./.git -cf - .) | tar -C "$to" -xf -
+    (cd "$root" && tar --exclude=./build --exclude=./bin --exclude=./.git -cf - .) | tar -C "$to" -xf -
   fi
   cp -r "$to/test/workspace/neighbour" "$workspace/src/poinsot_neighbour"
 }
