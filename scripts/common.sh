@@ -61,6 +61,16 @@ free_port() {
 # port_taken PORT: does somebody listen there, on loopback?
 port_taken() { (exec 3<> "/dev/tcp/127.0.0.1/$1") 2> /dev/null; }
 
+# await_rviz LAUNCH_PID: until RViz is up, that is, listens to what moves. 1: the launch has ended; 2: a minute has gone by.
+await_rviz() {
+  for _ in $(seq 120); do
+    kill -0 "$1" 2> /dev/null || return 1
+    if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then return 0; fi
+    sleep 0.5
+  done
+  return 2
+}
+
 # start_core LOG: a ROS master on loopback that answers; sets core_pid.
 start_core() {
   local deadline

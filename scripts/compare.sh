@@ -47,13 +47,10 @@ say "showing compare.launch, $mode"
 roslaunch poinsot compare.launch mode:="$mode" rviz_args:=--fullscreen > "$log" 2>&1 &
 launch_pid=$!
 died() { tail -n 20 "$log" >&2; launch_pid=; fail "compare.sh: the launch ended early; its output is in $log"; }
-up=no
-for _ in $(seq 120); do
-  kill -0 "$launch_pid" 2> /dev/null || died
-  if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
-  sleep 0.5
-done
-[ $up = yes ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not come up; its output is in $log"; }
+up=0
+await_rviz "$launch_pid" || up=$?
+[ $up -ne 1 ] || died
+[ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not come up; its output is in $log"; }
 sleep 3
 rostopic pub -1 /poinsot/speed std_msgs/Float64 -- "$speed" > "$work/pub" 2>&1 &
 rosservice call /poinsot/reset > "$work/reset"

@@ -107,14 +107,10 @@ if [ -z "$duration" ] && [ -z "$screenshot" ]; then
   exit 0
 fi
 
-# RViz is up when it listens to what moves.
-up=no
-for _ in $(seq 120); do
-  kill -0 "$launch_pid" 2> /dev/null || died
-  if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
-  sleep 0.5
-done
-[ $up = yes ] || { tail -n 20 "$log" >&2; fail "demo.sh: RViz does not come up; the output of the launch is in $log"; }
+up=0
+await_rviz "$launch_pid" || up=$?
+[ $up -ne 1 ] || died
+[ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "demo.sh: RViz does not come up; the output of the launch is in $log"; }
 sleep 3  # until it has drawn what it was sent
 sleep "${duration:-5}"
 kill -0 "$launch_pid" 2> /dev/null || died

@@ -94,13 +94,10 @@ rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $steps * $fps / $spee
 roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
 launch_pid=$!
 failed() { tail -n 20 "$log" >&2; fail "film.sh: $1; the output of the nodes is in $log"; }
-up=no
-for _ in $(seq 120); do
-  kill -0 "$launch_pid" 2> /dev/null || failed "the launch ended early"
-  if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
-  sleep 0.5
-done
-[ $up = yes ] || failed "RViz does not come up"
+up=0
+await_rviz "$launch_pid" || up=$?
+[ $up -ne 1 ] || failed "the launch ended early"
+[ $up -eq 0 ] || failed "RViz does not come up"
 sleep 4  # until it has drawn what it was sent
 kill -0 "$launch_pid" 2> /dev/null || failed "RViz ended while it started"
 

@@ -71,13 +71,10 @@ start_display 1600x900
 picture() {
   roslaunch poinsot demo.launch scene:="$1" rviz_config:="$config" rviz_args:=--fullscreen > "$log" 2>&1 &
   launch_pid=$!
-  local up=no
-  for _ in $(seq 120); do
-    kill -0 "$launch_pid" 2> /dev/null || return 1
-    if timeout 5 rostopic info /markers 2> /dev/null | grep -A3 Subscribers | grep -q rviz; then up=yes; break; fi
-    sleep 0.5
-  done
-  [ $up = yes ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $1; see $log"; }
+  local up=0
+  await_rviz "$launch_pid" || up=$?
+  [ $up -ne 1 ] || return 1
+  [ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $1; see $log"; }
   sleep 3  # until it has drawn what it was sent
   kill -0 "$launch_pid" 2> /dev/null || return 1
   timeout 90 python3 "$root/scripts/show_until.py" "$(at "$1")" || return 1  # without a master it would wait for ever

@@ -65,7 +65,7 @@ const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that o
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
 constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
-constexpr double kDeepestTitle = 1.9;     // m: below it, the figures would leave the view
+constexpr double kDeepestTitle = 1.9;     // m: below it, the picture would become small
 constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
 
 constexpr double kBesideArrow = 0.24;  // m
@@ -243,16 +243,18 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   layout_ = keep ? keep->layout
                  : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
                                   omega_principal_, inertia_.axes().conjugate() * reach_.omega_later);
-  title_depth_ = std::max(
-      {kTitleDepth, radius + 0.3,
-       beadSymbolDepth(layout_.model_orientation * inertia_.axes(), scale_.metres_per_radian_per_second, polhode_)});
   if (torqued_) {
     effects_.emplace(
         brush_, motion,
         EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach_.torque, scale_.metres_per_angular_momentum});
-    title_depth_ = std::max(title_depth_, std::min(effects_->depth(), kDeepestTitle));
   }
-  if (keep) title_depth_ = keep->title_depth;
+  title_depth_ = keep ? keep->title_depth : titleDepth(radius);
+}
+
+double BodyPicture::titleDepth(double body_radius) const {
+  return std::max(
+      {kTitleDepth, body_radius + 0.3, effects_ ? std::min(effects_->depth(), kDeepestTitle) : 0,
+       beadSymbolDepth(layout_.model_orientation * inertia_.axes(), scale_.metres_per_radian_per_second, polhode_)});
 }
 
 const char* BodyPicture::regime() const {

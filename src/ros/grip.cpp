@@ -83,7 +83,8 @@ Grip::Grip(const ros::NodeHandle& private_handle)
   entry(near, "smallest moment: stable", spinning(Kind::near, view::Axis::smallest));
   entry(near, "intermediate moment: flips", spinning(Kind::near, view::Axis::intermediate));
   entry(near, "largest moment: stable", spinning(Kind::near, view::Axis::largest));
-  const auto separatrix = menu_.insert("Spin exactly on the separatrix (to rounding)", [this](const Feedback& f) { add(f); });
+  const auto separatrix =
+      menu_.insert("Spin exactly on the separatrix (to rounding)", [this](const Feedback& f) { add(f); });
   meaning_[separatrix] = touch(Kind::separatrix);
   const auto reset = menu_.insert("Reset: the scene's own spins", [this](const Feedback& f) { add(f); });
   meaning_[reset] = touch(Kind::reset);

@@ -89,7 +89,7 @@ void Node::ask(Change change) {
   // If it is refused, so is all that is done with it.
   if (change_ && !change.all && !change.redraw) {
     const bool named = change_->what.find(change.what) != std::string::npos;
-    change.what = named ? change_->what : change_->what + " and " + change.what;
+    change.what = change_->what + (named ? "" : " and " + change.what);
   }
   change_ = std::move(change);
   if (rebuild_.busy()) {
@@ -147,25 +147,21 @@ void Node::takeFinishedRebuild() {
                 " is allowed: take larger steps or a lower speed";
     }
   }
-  if (problem.empty()) {
-    // t has gone on meanwhile, and may have been sent far away.
-    double all_steps = 0;
-    for (const auto& body : made->bodies) {
-      const double steps = body->motion().stepsTo(comingTime());
-      if (!(steps <= kMostSteps))
-        problem = tooManySteps(body->name(), comingTime(), steps, *body->motion().setup().step);
-      all_steps += steps;
-    }
-    if (problem.empty() && all_steps > kMostTickSteps) {
-      rebuild_.goOn(std::move(*made), comingTime());
-      return;
-    }
-  }
   if (!problem.empty()) {
     if (change_->reset) clock_.jumpTo(0);
-    refused(change_->what + " refused: " + problem);
+    const std::optional<double> sought = change_->seek;
+    const std::string what = change_->what;
     change_.reset();
+    if (sought) seek(*sought);
+    refused(what + " refused: " + problem);
     endHold();
+    return;
+  }
+  // t has gone on meanwhile, and may have been sent far away.
+  double steps = 0;
+  for (const auto& body : made->bodies) steps += body->motion().stepsTo(comingTime());
+  if (steps > kMostTickSteps) {
+    rebuild_.goOn(std::move(*made), comingTime());
     return;
   }
   exchange(std::move(*made));

@@ -59,8 +59,7 @@ ReadOuts::ReadOuts(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
   regime_title_ = new QLabel("regime");
   regime_title_->setToolTip(
       "What Ω goes round on its polhode: the axis of smallest moment, or that of largest. A body that flips goes round "
-      "one "
-      "of them as well, from one end of the axis between to the other and back. Of the true motion.");
+      "one of them as well, from one end of the axis between to the other and back. Of the true motion.");
   regime_ = new ElidedLabel;
   regime_->setObjectName("regime");
   grid_->addWidget(regime_title_, 5, 0);

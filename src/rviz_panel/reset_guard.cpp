@@ -31,7 +31,7 @@ void ResetGuard::removeStrayMaterials() {
   while (all.hasMoreElements()) {
     const Ogre::ResourcePtr material = all.getNext();
     const std::string& name = material->getName();
-    if (name.compare(0, std::string(kOurs).size(), kOurs) != 0) continue;
+    if (name.rfind(kOurs, 0) != 0) continue;
     const std::string mesh = name.substr(0, name.rfind("Material"));
     if (!Ogre::MeshManager::getSingleton().resourceExists(mesh)) strays.push_back(material->getHandle());
   }

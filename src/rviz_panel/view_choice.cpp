@@ -135,9 +135,11 @@ void ViewChoice::showState(const BodyState& state) {
   // A seek begins a segment as well, and under torques L is another one there.
   const bool begins = first || (state_->segment != state.segment &&
                                 (!std::isnan(state.attitude_error) || std::abs(state.time) < kBeginning));
-  const Eigen::Vector3d before = first ? Eigen::Vector3d::Zero() : momentumOf(*state_).stableNormalized();
+  const bool turned =
+      first ||
+      (begins && (momentumOf(state).stableNormalized() - momentumOf(*state_).stableNormalized()).norm() > kSameWay);
   state_ = state;
-  if (begins && (momentumOf(state).stableNormalized() - before).norm() > kSameWay) lookDownMomentum();
+  if (turned) lookDownMomentum();
 }
 
 void ViewChoice::lookDownMomentum() {
@@ -176,32 +178,36 @@ void ViewChoice::markChosen() {
   }
 }
 
-void ViewChoice::rememberShown(const QString& view) {
+void ViewChoice::forEachLeftOut(const QString& view,
+                                const std::function<void(rviz::Display&, const rviz::Config&)>& act) {
   rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
   for (int i = 0; i < displays->numDisplays(); ++i) {
     rviz::Display* const display = displays->getDisplayAt(i);
-    const QString name = display->getName();
-    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(name);
+    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(display->getName());
+    if (what.isValid()) act(*display, what);
+  }
+}
+
+void ViewChoice::rememberShown(const QString& view) {
+  forEachLeftOut(view, [this](rviz::Display& display, const rviz::Config& what) {
+    const QString name = display.getName();
     if (what.getType() == rviz::Config::Value) {
-      was_shown_[name] = display->isEnabled();
+      was_shown_[name] = display.isEnabled();
     } else if (what.getType() == rviz::Config::List) {
       // Those that are not listed have not come since the display was switched on: as they were before.
-      const rviz::Property* const listed = display->subProp("Namespaces");
+      const rviz::Property* const listed = display.subProp("Namespaces");
       for (int k = 0; k < listed->numChildren(); ++k) {
         was_shown_[name + '/' + listed->childAt(k)->getName()] = listed->childAt(k)->getValue().toBool();
       }
     }
-  }
+  });
 }
 
 void ViewChoice::setShown(const QString& view, bool shown) {
-  rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
-  for (int i = 0; i < displays->numDisplays(); ++i) {
-    rviz::Display* const display = displays->getDisplayAt(i);
-    const QString name = display->getName();
-    const rviz::Config what = hidden_.mapGetChild(view).mapGetChild(name);
+  forEachLeftOut(view, [this, shown](rviz::Display& display, const rviz::Config& what) {
+    const QString name = display.getName();
     if (what.getType() == rviz::Config::Value) {
-      display->setEnabled(shown && was_shown_.value(name, true));
+      display.setEnabled(shown && was_shown_.value(name, true));
     } else if (what.getType() == rviz::Config::List) {
       rviz::Config settings;
       rviz::Config namespaces = settings.mapMakeChild("Namespaces");
@@ -210,12 +216,12 @@ void ViewChoice::setShown(const QString& view, bool shown) {
         namespaces.mapSetValue(ns, shown && was_shown_.value(name + '/' + ns, true));
       }
       // RViz keeps nothing of a namespace that is hidden: what stands still is sent only to a newcomer.
-      const bool enabled = display->isEnabled();
-      display->setEnabled(false);
-      display->load(settings);
-      display->setEnabled(enabled);
+      const bool enabled = display.isEnabled();
+      display.setEnabled(false);
+      display.load(settings);
+      display.setEnabled(enabled);
     }
-  }
+  });
 }
 
 void ViewChoice::load(const rviz::Config& panel) {
@@ -224,7 +230,7 @@ void ViewChoice::load(const rviz::Config& panel) {
   was_shown_.clear();
   const rviz::Config off = panel.mapGetChild("Switched Off");
   for (int i = 0; i < off.listLength(); ++i) was_shown_[off.listChildAt(i).getValue().toString()] = false;
-  if (manager_) camera_ = manager_->getViewManager()->getCurrent();
+  camera_ = manager_->getViewManager()->getCurrent();
   // What is hidden now has been hidden by this view, as the file was saved, and not by the user.
   chosen_.clear();
   panel.mapGetString("View", &chosen_);

@@ -9,6 +9,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 class QCheckBox;
@@ -17,6 +18,7 @@ class QLabel;
 
 namespace rviz {
 class ColorProperty;
+class Display;
 class ViewController;
 class VisualizationManager;
 }  // namespace rviz
@@ -28,9 +30,10 @@ namespace poinsot::rviz_panel {
  *
  * A view may leave out what would pass before the camera. In a .rviz file the panel's `Hidden` says it, for each view
  * by the name of a display: a list of namespaces of markers, or `true` for the whole display. What the user has
- * switched off stays off when such a view is left. A view that `Down L` names looks along the present L of the body
- * that stands there: when it is chosen, and when the motion begins with another L; else it looks as it was saved. The
- * panel's `View` is the view that was chosen last.
+ * switched off stays off when such a view is left; where the file was saved in such a view, `Switched Off` says what.
+ * A view that `Down L` names looks along the present L of the body that stands there: when it is chosen, and when the
+ * motion begins anew with another L; else it looks as it was saved. The panel's `View` is the view that was chosen
+ * last.
  */
 class ViewChoice : public QWidget {
   Q_OBJECT
@@ -60,6 +63,7 @@ class ViewChoice : public QWidget {
   void listViews();
   void take(int index);
   void choose(const QString& view);
+  void forEachLeftOut(const QString& view, const std::function<void(rviz::Display&, const rviz::Config&)>& act);
   void setShown(const QString& view, bool shown);
   void rememberShown(const QString& view);
   void lookDownMomentum();

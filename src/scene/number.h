@@ -61,6 +61,6 @@ Eigen::Vector3d readVector(const Place& place, const Quantity& quantity);
 Eigen::Quaterniond readRotation(const Place& place);
 
 /** As a message shows a number. */
-std::string shownNumber(double value);
+std::string shownNumber(double value, int digits = 15);
 
 }  // namespace poinsot::scene

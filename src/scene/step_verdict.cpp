@@ -1,8 +1,6 @@
 #include "step_verdict.h"
 
 #include <cmath>
-#include <cstdio>
-#include <string>
 
 #include "number.h"
 #include "poinsot/core/stepper.h"
@@ -15,12 +13,6 @@ namespace {
 double roundedDown(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return unit > 0 ? std::floor(x / unit) * unit : x;
-}
-
-std::string toFourDigits(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
 }
 
 StepJudgement judgement(const Body& body) {
@@ -38,7 +30,7 @@ StepVerdict verdictOnStep(const Body& body) {
   out.grade = judged.grade;
   if (judged.grade == StepJudgement::Grade::sound) return out;
   out.problem = body.method + " with a step of " + shownNumber(*body.step) +
-                " s at |Omega| = " + toFourDigits(body.omega_body.stableNorm()) + " rad/s: " + judged.reason;
+                " s at |Omega| = " + shownNumber(body.omega_body.stableNorm(), 4) + " rad/s: " + judged.reason;
   if (judged.largest_sound > 0) {
     out.largest_sound = roundedDown(judged.largest_sound);
     out.instead = "a step of at most " + shownNumber(out.largest_sound) + " s, or ";

@@ -99,6 +99,15 @@ class Panel : public testing::Test {
   static QComboBox* combo(const QString& name) { return find<QComboBox>(name); }
   static QString notice() { return find<QLabel>("notice")->text(); }
 
+  /** Of a display of markers; null where nothing of that namespace has come since it was switched on. */
+  static rviz::Property* listed(rviz::Display* display, const QString& ns) {
+    rviz::Property* const all = display->subProp("Namespaces");
+    for (int i = 0; i < all->numChildren(); ++i) {
+      if (all->childAt(i)->getName() == ns) return all->childAt(i);
+    }
+    return nullptr;
+  }
+
   static bool until(const std::function<bool()>& condition) {
     return shown->spinUntil(
         [&] {
@@ -450,13 +459,9 @@ TEST_F(Panel, aViewLeavesOutWhatItsFileSays) {
     }
     return static_cast<rviz::Display*>(nullptr);
   };
-  // What RViz lists has been received since the display was switched on.
   const auto listed = [&](const QString& ns, bool enabled) {
-    rviz::Property* const all = display("Still")->subProp("Namespaces");
-    for (int i = 0; i < all->numChildren(); ++i) {
-      if (all->childAt(i)->getName() == ns) return all->childAt(i)->getValue().toBool() == enabled;
-    }
-    return false;
+    const rviz::Property* const found = Panel::listed(display("Still"), ns);
+    return found && found->getValue().toBool() == enabled;
   };
   ASSERT_TRUE(until([&] { return listed("wingnut/shape", true); }));
   const QString name = find<QPushButton>("view_1")->text();
@@ -483,27 +488,23 @@ TEST_F(Panel, aViewThatIsLeftShowsNothingThatTheUserHid) {
   rviz::DisplayGroup* const displays = shown->frame().getManager()->getRootDisplayGroup();
   rviz::Display *floor = displays->getDisplayAt(0), *still = displays->getDisplayAt(1);
   ASSERT_EQ(floor->getName() + still->getName(), "FloorStill");
-  const auto listed = [&](const QString& ns) {
-    rviz::Property* const all = still->subProp("Namespaces");
-    for (int i = 0; i < all->numChildren(); ++i) {
-      if (all->childAt(i)->getName() == ns) return all->childAt(i);
-    }
-    return static_cast<rviz::Property*>(nullptr);
-  };
-  ASSERT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/label"); }));
-  listed("wingnut/shape")->setValue(false);
+  ASSERT_TRUE(until([&] { return listed(still, "wingnut/shape") && listed(still, "wingnut/label"); }));
+  listed(still, "wingnut/shape")->setValue(false);
   floor->setEnabled(false);
   press<QPushButton>("view_1");
-  ASSERT_TRUE(until([&] { return listed("wingnut/label") && !listed("wingnut/label")->getValue().toBool(); }));
+  ASSERT_TRUE(
+      until([&] { return listed(still, "wingnut/label") && !listed(still, "wingnut/label")->getValue().toBool(); }));
   press<QPushButton>("view_0");
-  ASSERT_TRUE(until([&] { return listed("wingnut/label") && listed("wingnut/label")->getValue().toBool(); }));
-  EXPECT_FALSE(listed("wingnut/shape")->getValue().toBool());
+  ASSERT_TRUE(
+      until([&] { return listed(still, "wingnut/label") && listed(still, "wingnut/label")->getValue().toBool(); }));
+  EXPECT_FALSE(listed(still, "wingnut/shape")->getValue().toBool());
   EXPECT_FALSE(floor->isEnabled());
   floor->setEnabled(true);
-  listed("wingnut/shape")->setValue(true);
+  listed(still, "wingnut/shape")->setValue(true);
   press<QPushButton>("view_1");
   press<QPushButton>("view_0");
-  EXPECT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/shape")->getValue().toBool(); }));
+  EXPECT_TRUE(
+      until([&] { return listed(still, "wingnut/shape") && listed(still, "wingnut/shape")->getValue().toBool(); }));
   EXPECT_TRUE(floor->isEnabled());
 }
 
@@ -580,21 +581,14 @@ TEST_F(Panel, aViewLooksDownThePresentL) {
 TEST_F(Panel, whatRvizsOwnResetTakesAwayComesBack) {
   rviz::Display* const still = shown->frame().getManager()->getRootDisplayGroup()->getDisplayAt(1);
   ASSERT_EQ(still->getName(), "Still");
-  const auto listed = [&](const QString& ns) {
-    rviz::Property* const all = still->subProp("Namespaces");
-    for (int i = 0; i < all->numChildren(); ++i) {
-      if (all->childAt(i)->getName() == ns) return true;
-    }
-    return false;
-  };
   for (int i = 0; i < 2; ++i) {
-    ASSERT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/space/polhode"); }));
+    ASSERT_TRUE(until([&] { return listed(still, "wingnut/shape") && listed(still, "wingnut/space/polhode"); }));
     spin(1);
     ASSERT_TRUE(QMetaObject::invokeMethod(&shown->frame(), "reset"));
-    EXPECT_FALSE(listed("wingnut/shape"));
+    EXPECT_FALSE(listed(still, "wingnut/shape"));
   }
   // The body's mesh is loaded again, which RViz alone does not survive.
-  EXPECT_TRUE(until([&] { return listed("wingnut/shape") && listed("wingnut/space/polhode"); }));
+  EXPECT_TRUE(until([&] { return listed(still, "wingnut/shape") && listed(still, "wingnut/space/polhode"); }));
   spin(1);
 }
 

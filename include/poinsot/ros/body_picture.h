@@ -97,6 +97,7 @@ class BodyPicture {
                         visualization_msgs::MarkerArray& out) const;
   void appendCurves(const Picture& picture, const view::Polhode& polhode, const std::vector<view::Curve>& separatrix,
                     visualization_msgs::MarkerArray& out) const;
+  double titleDepth(double body_radius) const;  ///< for a body within that radius of its origin [m]
   /** By `depth` [m] for a viewer at +x who looks down a little; apart from the title also for one straight above. */
   Eigen::Vector3d belowTitle(const Eigen::Vector3d& centre, double depth) const;
   void appendTitles(visualization_msgs::MarkerArray& out) const;
