@@ -6,11 +6,12 @@
 
 namespace poinsot {
 
+/** The form of a Solid. */
 enum class SolidType { box, ellipsoid, cylinder };
 
 /** A homogeneous solid, placed in the axes of the assembly it belongs to. */
 struct Solid {
-  SolidType type = SolidType::box;
+  SolidType type = SolidType::box;  ///< its form
   /** Full extents along its own axes [m]; a cylinder's axis is z. Positive and finite. */
   Eigen::Vector3d size = Eigen::Vector3d::Ones();
   double mass = 1;                                                  ///< [kg], positive and finite
@@ -27,6 +28,7 @@ class Assembly {
   /** Throws std::invalid_argument for no parts, and for sizes or masses that are not positive and finite. */
   explicit Assembly(std::vector<Solid> parts);
 
+  /** The solids in the order given, placed about the common centre of mass. */
   const std::vector<Solid>& parts() const { return parts_; }
   double mass() const;                    ///< [kg]
   Eigen::Matrix3d inertiaTensor() const;  ///< about the centre of mass, by the parallel-axis theorem [kg·m²]
@@ -36,12 +38,17 @@ class Assembly {
   std::vector<Solid> parts_;
 };
 
-/** Assemblies that scenes know by name. Lengths in m, masses in kg, each positive; all parts have the same density. */
+/**
+ * Assemblies that scenes know by name. Lengths in m, masses in kg, each positive and finite, else
+ * std::invalid_argument is thrown; all parts have the same density.
+ */
 namespace shapes {
 
+/** A box. @param size full extents along x, y and z [m] @param mass [kg] */
 Assembly box(const Eigen::Vector3d& size, double mass);
+/** An ellipsoid. @param size full extents (twice the semi-axes) along x, y and z [m] @param mass [kg] */
 Assembly ellipsoid(const Eigen::Vector3d& size, double mass);
-/** Axis z. */
+/** A cylinder about z. */
 Assembly cylinder(double radius, double height, double mass);
 /** A cylinder along y (the bar) with another, the stem, standing on its middle along z. */
 Assembly tHandle(double bar_radius, double bar_length, double stem_radius, double stem_length, double mass);

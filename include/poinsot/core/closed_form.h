@@ -28,6 +28,7 @@ constexpr const char* kClosedForm = "closed_form";
  */
 class ClosedForm {
  public:
+  /** The motion at one time. */
   struct State {
     Eigen::Quaterniond attitude;  ///< R: principal axes → world, unit to roundoff; continuous in t, so of either sign
     Eigen::Vector3d omega_body;   ///< Ω [rad/s], principal axes
@@ -65,6 +66,7 @@ class ClosedForm {
     general,  ///< Ω is periodic and goes round one axis
     separatrix  ///< Ω runs from one end of the axis of intermediate moment to the other, once
   };
+  /** Which of the three this motion is. */
   Regime regime() const;
 
   /**
@@ -104,6 +106,7 @@ class ClosedForm {
    */
   double precessionRate() const;
 
+  /** The principal moments as they were given [kg·m²]. */
   const Eigen::Vector3d& moments() const { return moments_; }
 
  private:

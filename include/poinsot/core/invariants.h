@@ -13,7 +13,11 @@ struct Invariants {
   Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();  ///< L = RΛ [kg·m²/s], world axes
 };
 
-/** @param moments principal moments [kg·m²] of the axes that the state refers to. */
+/**
+ * E, F and L of a state.
+ * @param moments principal moments [kg·m²] of the axes that the state refers to.
+ * @param state attitude and Λ in principal axes.
+ */
 Invariants invariantsOf(const Eigen::Vector3d& moments, const RotationState& state);
 
 /** (E − E_ref)/E_ref; 0 when both vanish, infinite when only E_ref does. */

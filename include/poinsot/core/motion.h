@@ -28,23 +28,26 @@ struct MotionState {
   Eigen::Vector3d torque_world = Eigen::Vector3d::Zero();    ///< all effects together [N·m]; zero for a free body
   Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();      ///< σ of a slug inside [rad/s], body axes
 
+  /** E, F and L of this state. */
   Invariants invariants() const { return {kinetic_energy, momentum_world.squaredNorm(), momentum_world}; }
 };
 
 /** What a motion is made of. */
 struct MotionSetup {
+  /** About the centre of mass, or about the pivot of a body that has one. */
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world; normalised on use
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
-  std::string method = kClosedForm;
+  std::string method = kClosedForm;        ///< kClosedForm, or a name of methods() or torqueMethods()
   std::optional<double> step;              ///< [s]; a stepper needs one, the closed form has none
   std::optional<Translation> translation;  ///< not computed where absent
   std::vector<Effect> effects;             ///< what turns it; a free body has none
 };
 
 /**
- * Why no motion begins like this, or nothing: E or F = |L|² is beyond the range of doubles, or, of a body that turns,
- * too small to be held in full precision. A free body keeps both, so that what holds at the start holds for ever.
+ * Why no motion can begin with this angular velocity [rad/s, body axes]; empty where one can. The reason is that E or F
+ * = |L|² is beyond the range of doubles, or, for a body that turns, too small to be held in full precision. A free body
+ * keeps both, so what holds at the start holds for ever.
  */
 std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body);
 
@@ -77,6 +80,7 @@ class Motion {
   /** Does the stepping that at(t) needs; false when `cancel` became true first. */
   bool prepare(double t, const std::atomic<bool>& cancel);
 
+  /** True when no stepper moves the body. */
   bool inClosedForm() const { return !grid_ && !torqued_; }
 
   /** What turns the body; nullptr for a free one. */
@@ -97,6 +101,7 @@ class Motion {
   /** A free body's, whatever method moves it, in principal axes; nullptr under torques. */
   const ClosedForm* closedForm() const { return exact_ ? &*exact_ : nullptr; }
 
+  /** What it was made of. */
   const MotionSetup& setup() const { return setup_; }
 
  private:

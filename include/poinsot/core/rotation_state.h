@@ -17,17 +17,23 @@ struct RotationState {
 
   // What compensated summation has left over, below the last bits of the above; zero for methods without it.
   Eigen::Vector4d attitude_rest = Eigen::Vector4d::Zero();  ///< in the order of attitude.coeffs()
-  Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();
+  Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();  ///< of momentum_body [kg·m²/s]
 
   // The L that free motion keeps, for methods that undo the drift of it by rounding (see steppers/restore_momentum.h).
   Eigen::Vector3d kept_momentum = Eigen::Vector3d::Zero();  ///< L in world axes
   double kept_inverse_square = 0;                           ///< 1/|L|², 0 at rest
-  int steps_since_restored = 0;
+  int steps_since_restored = 0;                             ///< since rounding of L was last undone
   /** 2E/|L|² at the start, for methods whose constants depend on E: in units of their own, 0 where not known. */
   double kept_inverse_inertia = 0;
   /** 2E/|L|² − 1/μᵢ at the start, for methods that keep E, in the same units; of use where the line above is not 0. */
   Eigen::Vector3d kept_energy_gaps = Eigen::Vector3d::Zero();
 
+  /**
+   * The state at the start of a motion, whose L is the one to keep.
+   * @param moments principal moments [kg·m²].
+   * @param attitude R: principal axes → world, unit.
+   * @param omega_body Ω [rad/s], principal axes.
+   */
   static RotationState fromOmega(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
                                  const Eigen::Vector3d& omega_body) {
     RotationState state;
@@ -47,7 +53,9 @@ struct RotationState {
     kept_inverse_inertia = 0;
   }
 
+  /** Ω = M⁻¹Λ [rad/s], principal axes. */
   Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }
+  /** L = RΛ [kg·m²/s], world axes. */
   Eigen::Vector3d momentumWorld() const { return attitude * momentum_body; }
 };
 

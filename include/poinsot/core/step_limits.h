@@ -14,6 +14,7 @@ namespace poinsot {
 struct OrbitRates {
   double turn;    ///< |Ω| never exceeds it, and comes near it unless the spin is steady [rad/s]
   double wobble;  ///< |L|(1/μ_min − 1/μ_max): L turns in the body at half of it at most [rad/s]; 0 for a sphere
+  /** The larger of the two [rad/s]. */
   double fastest() const { return turn > wobble ? turn : wobble; }
 };
 
@@ -22,14 +23,15 @@ OrbitRates orbitRates(const Eigen::Vector3d& moments, const Eigen::Vector3d& ome
 
 /** How well a method follows a free body at a step. */
 struct StepJudgement {
+  /** The verdict. */
   enum class Grade {
     sound,     ///< nothing to say
     doubtful,  ///< to be used with a warning: `reason` says what is off, and by how much
     hopeless   ///< to be refused: what comes out is another motion than the body's
   };
-  Grade grade = Grade::sound;
-  std::string reason;        ///< a sentence without a full stop, with numbers; empty when sound
-  double largest_sound = 0;  ///< a step [s] that is sound, at most |step|; 0 when none was found
+  Grade grade = Grade::sound;  ///< the verdict
+  std::string reason;          ///< a sentence without a full stop, with numbers; empty when sound
+  double largest_sound = 0;    ///< a step [s] that is sound, at most |step|; 0 when none was found
 };
 
 /**
@@ -47,6 +49,7 @@ struct StepJudgement {
  *
  * Costs milliseconds; nothing for steps that are clearly small. Never throws.
  *
+ * @param method a row of methods().
  * @param moments principal moments [kg·m²], valid.
  * @param omega_body at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
@@ -59,7 +62,11 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
  * hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the state is lost; doubtful by more than
  * 0.1 rad. Methods of that family need no judgement. Never throws.
  *
+ * @param method a row of torqueMethods() that takes these torques.
+ * @param torques that act on the body; its moments are theirs.
  * @param attitude R at the start, principal axes → world, unit.
+ * @param omega_body at the start [rad/s], principal axes, finite.
+ * @param step [s], of either sign, finite, not zero.
  */
 StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Eigen::Quaterniond& attitude,
                               const Eigen::Vector3d& omega_body, double step);

@@ -17,19 +17,23 @@ class Stepper {
   virtual ~Stepper() = default;
 
   /**
-   * Takes `count` steps of `step` seconds (either sign). Allocates nothing; the one virtual call is a batch's, not a
-   * step's. Returns what it took. Throws NoConvergence where an implicit method finds no step; `state` is then as it
-   * was.
+   * Takes `count` steps. Allocates nothing; the one virtual call is a batch's, not a step's. Throws NoConvergence where
+   * an implicit method finds no step; `state` is then as it was.
+   * @param state in principal axes.
+   * @param step [s], of either sign.
+   * @param count ≥ 0.
+   * @return the evaluations that it took.
    */
   virtual Work advance(RotationState& state, double step, std::int64_t count) const = 0;
 };
 
 /** One row of the table of methods. */
 struct Method {
-  const char* name;
-  int order;
+  const char* name;         ///< by which scenes and programs ask for it
+  int order;                ///< the global error of a motion falls with h to this power
   bool conserves_momentum;  ///< L in world axes, to roundoff
   bool conserves_energy;    ///< E, to roundoff
+  /** Binds it to a body. @param moments principal moments [kg·m²], valid. */
   std::unique_ptr<Stepper> (*make)(const Eigen::Vector3d& moments);
 };
 

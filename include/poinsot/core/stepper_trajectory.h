@@ -14,22 +14,23 @@ namespace poinsot {
 
 /** How a free body goes from one point of a grid to later ones. */
 struct FreeFlow {
-  using State = RotationState;
-  std::shared_ptr<const Stepper> stepper;
+  using State = RotationState;             ///< what it moves
+  std::shared_ptr<const Stepper> stepper;  ///< the method, bound to the body
 
-  /** From n·step on. */
+  /** `count` steps of `step` [s] from t = n·step on, for which a free body need not ask. */
   Work advance(State& state, std::int64_t, double step, std::int64_t count) const {
     return stepper->advance(state, step, count);
   }
-  /** A part of a step, from t on. */
+  /** A step of `part` [s] from t on. */
   Work advancePart(State& state, double, double part) const { return stepper->advance(state, part, 1); }
 };
 
 /** The same under torques. */
 struct TorquedFlow {
-  using State = TorquedState;
-  std::shared_ptr<const TorqueStepper> stepper;
+  using State = TorquedState;                    ///< what it moves
+  std::shared_ptr<const TorqueStepper> stepper;  ///< the method, bound to the body and its torques
 
+  /** `count` steps of `step` [s] from t = n·step on; where a step throws, `state` is as it was. */
   Work advance(State& state, std::int64_t n, double step, std::int64_t count) const {
     State moved = state;  // advance() may throw
     Work work;
@@ -39,6 +40,7 @@ struct TorquedFlow {
     state = moved;
     return work;
   }
+  /** A step of `part` [s] from t on. */
   Work advancePart(State& state, double t, double part) const { return stepper->advance(state, t, part); }
 };
 
@@ -51,9 +53,14 @@ struct TorquedFlow {
 template <class Flow>
 class GridTrajectory {
  public:
-  using State = typename Flow::State;
+  using State = typename Flow::State;  ///< what it moves
 
-  /** @param step h [s], not zero, finite. */
+  /**
+   * Begins at n = 0.
+   * @param flow a FreeFlow or TorquedFlow.
+   * @param start the state at t = 0.
+   * @param step h [s], not zero, finite.
+   */
   GridTrajectory(Flow flow, const State& start, double step);
 
   /** How many steps at(n) would take now. */
@@ -65,6 +72,7 @@ class GridTrajectory {
   /** Like at(n), but gives up, returning false, soon after `cancel` becomes true; what was reached is kept. */
   bool moveTo(std::int64_t n, const std::atomic<bool>& cancel);
 
+  /** What moves it. */
   const Flow& flow() const { return flow_; }
 
   /** What all steps so far took. */
@@ -91,7 +99,9 @@ class GridTrajectory {
   std::int64_t furthest_ = 0;  ///< greatest n reached
 };
 
+/** Of a free body under a stepper. */
 using StepperTrajectory = GridTrajectory<FreeFlow>;
+/** Of a body under torques. */
 using TorquedTrajectory = GridTrajectory<TorquedFlow>;
 
 }  // namespace poinsot

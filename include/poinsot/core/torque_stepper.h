@@ -14,15 +14,15 @@ namespace poinsot {
 
 /** What moves under torques; principal axes. */
 struct TorquedState {
-  RotationState rotation;
-  // Of a slug inside: σ in the body's principal axes [rad/s], and what compensated summation has left over of it.
-  Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();
-  Eigen::Vector3d slug_rest = Eigen::Vector3d::Zero();
+  RotationState rotation;                                ///< of the body
+  Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();  ///< σ of a slug inside, in the body's principal axes [rad/s]
+  Eigen::Vector3d slug_rest = Eigen::Vector3d::Zero();   ///< what compensated summation has left over of σ [rad/s]
 };
 
 /** A one-step method for a body under torques, bound to one. */
 class TorqueStepper {
  public:
+  /** @param torques that act on the body; its moments are theirs. */
   explicit TorqueStepper(Torques torques) : torques_(std::move(torques)) {}
   virtual ~TorqueStepper() = default;
 
@@ -33,6 +33,7 @@ class TorqueStepper {
    */
   Work advance(TorquedState& state, double t, double h) const;
 
+  /** What acts on the body. */
   const Torques& torques() const { return torques_; }
 
  protected:
@@ -45,10 +46,11 @@ class TorqueStepper {
 
 /** One row of the table of methods that take torques. */
 struct TorqueMethod {
-  const char* name;
-  int order;
+  const char* name;    ///< by which scenes and programs ask for it
+  int order;           ///< the global error of a motion falls with h to this power
   bool takes_damping;  ///< torques that depend on Ω; others only those that depend on t and R
   bool cuts_steps;     ///< takes a step that is too long for it in parts
+  /** Binds it to a body and its torques. */
   std::unique_ptr<TorqueStepper> (*make)(const Torques& torques);
 };
 

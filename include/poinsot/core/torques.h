@@ -35,20 +35,32 @@ class Torques {
   // std::invalid_argument where a term does not go together with what is there, or a value is not finite or out of
   // range.
 
-  /** For all t. @param torque [N·m] */
+  /** For all t. @param axes in which it is constant @param torque [N·m], finite */
   void addConstant(Axes axes, const Eigen::Vector3d& torque) {
     addBetween(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), axes, torque);
   }
-  /** For from ≤ t < to [s]. @param torque [N·m] */
+  /**
+   * For from ≤ t < to.
+   * @param from,to [s], from < to; infinite where there is no end.
+   * @param axes in which it is constant.
+   * @param torque [N·m], finite.
+   */
   void addBetween(double from, double to, Axes axes, const Eigen::Vector3d& torque);
-  /** A force constant in the world, at a point fixed in the body: τ = lever × Rᵀforce. @param lever body axes [m] */
+  /**
+   * A force constant in the world, at a point fixed in the body: τ = lever × Rᵀforce.
+   * @param lever of the point, body axes [m], finite.
+   * @param force_world world axes [N], finite.
+   */
   void addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& force_world);
-  /** A circular orbit. @param normal,radial_at_start world directions, perpendicular, of any length; one orbit a body.
+  /**
+   * A circular orbit; one a body.
+   * @param orbit_rate n [rad/s], positive and finite.
+   * @param normal,radial_at_start world directions, perpendicular to 1e-9 rad, of any length but 0.
    */
   void addGravityGradient(double orbit_rate, const Eigen::Vector3d& normal, const Eigen::Vector3d& radial_at_start);
-  /** τ = −cᵢΩᵢ along each body axis [N·m·s]. */
+  /** τᵢ = −cᵢΩᵢ along each body axis. @param coefficients c [N·m·s], finite, not negative */
   void addDamping(const Eigen::Vector3d& coefficients);
-  /** One slug a body. @param inertia J [kg·m²] @param damping c [N·m·s] */
+  /** One slug a body. @param inertia J [kg·m²], positive and finite @param damping c [N·m·s], finite, not negative */
   void addSlug(double inertia, double damping);
 
   /** Throws std::invalid_argument where the sum, or an acceleration it may give, is beyond the range of doubles. */
@@ -58,23 +70,30 @@ class Torques {
 
   /** The part of τ that is piecewise constant in time: constant in the body, and x₀ in the world. */
   struct Constant {
-    Eigen::Vector3d body = Eigen::Vector3d::Zero(), world = Eigen::Vector3d::Zero();
+    Eigen::Vector3d body = Eigen::Vector3d::Zero();   ///< b [N·m], principal axes
+    Eigen::Vector3d world = Eigen::Vector3d::Zero();  ///< x₀ [N·m], world axes
   };
   /** A world vector x and the matrix A by which it becomes a torque, A Rᵀx. */
   struct Field {
-    Eigen::Vector3d world;
-    Eigen::Matrix3d map;
+    Eigen::Vector3d world;  ///< x, world axes; of a force [N]
+    Eigen::Matrix3d map;    ///< A, to principal axes; of a force hat(lever) [m]
   };
+  /** A circular orbit in a central field. */
   struct Gradient {
-    double rate;                            ///< n [rad/s]
-    Eigen::Vector3d normal, radial, along;  ///< unit; r(t) = radial cos nt + along sin nt
-    Eigen::Vector3d radialAt(double t) const;
-    Eigen::Vector3d alongAt(double t) const;  ///< ṙ/n
+    double rate;                               ///< n [rad/s]
+    Eigen::Vector3d normal;                    ///< N, world axes, unit, as all directions here
+    Eigen::Vector3d radial;                    ///< r(0)
+    Eigen::Vector3d along;                     ///< N × r(0)
+    Eigen::Vector3d radialAt(double t) const;  ///< r(t) = radial cos nt + along sin nt
+    Eigen::Vector3d alongAt(double t) const;   ///< ṙ/n
   };
+  /** A slug inside, as InternalDissipation describes it. */
   struct Slug {
-    double inertia, damping;
+    double inertia;  ///< J [kg·m²]
+    double damping;  ///< c [N·m·s]
   };
 
+  /** The body's principal moments [kg·m²]. */
   const Eigen::Vector3d& moments() const { return moments_; }
 
   /** Nothing acts. */
@@ -90,8 +109,11 @@ class Torques {
   bool hasWorldConstant() const { return has_world_; }
   /** At most three: more are written as three. */
   const std::vector<Field>& fields() const { return fields_; }
+  /** The orbit, if there is one. */
   const std::optional<Gradient>& gradient() const { return gradient_; }
+  /** D [N·m·s], if anything is damped from outside. */
   const std::optional<Eigen::Matrix3d>& damping() const { return damping_; }
+  /** The slug, if there is one. */
   const std::optional<Slug>& slug() const { return slug_; }
 
   /** τ depends on t and R alone: nothing is damped. */
@@ -102,7 +124,14 @@ class Torques {
   /** What those torques add to L from 0 to t [kg·m²/s]. */
   Eigen::Vector3d impulseWorld(double t) const;
 
-  /** τ [N·m]. @param omega Ω @param slug_omega σ; not looked at where there is no slug. */
+  /**
+   * τ on the body [N·m].
+   * @param t [s].
+   * @param constant of the interval in which t lies.
+   * @param attitude R: principal axes → world, unit.
+   * @param omega Ω [rad/s].
+   * @param slug_omega σ [rad/s]; not looked at where there is no slug.
+   */
   Eigen::Vector3d at(double t, const Constant& constant, const Eigen::Quaterniond& attitude,
                      const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
   /** σ̇ [rad/s²]; zero where there is no slug. */

@@ -11,14 +11,17 @@ namespace poinsot {
 /** A torque that is constant in the body (a leaking thruster) or in the world; then L(t) = L₀ + τt, whatever the body
  * does. */
 struct ConstantTorque {
+  /** The type's name in scene files. */
   static constexpr const char* kName = "constant_torque";
 
-  Axes axes = Axes::body;
+  Axes axes = Axes::body;                            ///< in which it is constant
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< [N·m]
 
+  /** All keys and values, as scene files have them, with 17 significant digits. */
   std::string text() const {
     return std::string("frame ") + (axes == Axes::body ? "body" : "world") + ", torque " + effects::text(torque);
   }
+  /** Adds its torque to the sum. Throws std::invalid_argument for a torque that is not finite. */
   void addTo(Torques& torques) const { torques.addConstant(axes, torque); }
 };
 

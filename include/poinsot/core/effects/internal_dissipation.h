@@ -15,14 +15,17 @@ namespace poinsot {
  * moment, as Explorer 1 did.
  */
 struct InternalDissipation {
+  /** The type's name in scene files. */
   static constexpr const char* kName = "internal_dissipation";
 
   double slug_inertia = 0;  ///< J [kg·m²], positive
   double damping = 0;       ///< c [N·m·s], not negative
 
+  /** All keys and values, as scene files have them, with 17 significant digits. */
   std::string text() const {
     return "slug_inertia " + effects::text(slug_inertia) + ", damping " + effects::text(damping);
   }
+  /** Adds its torque to the sum. Throws std::invalid_argument for a second slug and for values not allowed above. */
   void addTo(Torques& torques) const { torques.addSlug(slug_inertia, damping); }
 };
 

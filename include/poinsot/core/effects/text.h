@@ -6,6 +6,7 @@
 /** Values as text with 17 significant digits, from which they can be read back. */
 namespace poinsot::effects {
 
+/** The value, "%.17g". */
 std::string text(double value);
 
 /** "[x, y, z]". */

@@ -11,15 +11,19 @@ namespace poinsot {
 
 /** Torques that are switched on and off, as thrusters are. Steps end at the switching times. */
 struct TorqueSchedule {
+  /** The type's name in scene files. */
   static constexpr const char* kName = "torque_schedule";
 
+  /** One torque and when it acts. */
   struct Segment {
-    double from, to;  ///< from ≤ t < to [s], from < to; segments do not overlap
-    Axes axes;
+    double from;             ///< it acts for from ≤ t < to [s]
+    double to;               ///< [s], later than `from`; the scene reader refuses segments that overlap
+    Axes axes;               ///< in which the torque is constant
     Eigen::Vector3d torque;  ///< [N·m]
   };
-  std::vector<Segment> segments;
+  std::vector<Segment> segments;  ///< in any order
 
+  /** All keys and values, as scene files have them, with 17 significant digits. */
   std::string text() const {
     std::string out;
     for (const Segment& s : segments) {
@@ -28,6 +32,7 @@ struct TorqueSchedule {
     }
     return out;
   }
+  /** Adds its torque to the sum. Throws std::invalid_argument for a torque that is not finite and for from ≥ to. */
   void addTo(Torques& torques) const {
     for (const Segment& s : segments) torques.addBetween(s.from, s.to, s.axes, s.torque);
   }
