@@ -24,7 +24,7 @@ case "$view" in
 esac
 [ -f "$file" ] || bad_use "frame_rate.sh: there is no view $view"
 
-build_package poinsot_node poinsot_rviz rviz_frame_rate
+build_package -DPOINSOT_BUILD_BENCHMARKS=ON demo rviz_frame_rate
 enter_devel
 start_graph
 export HOME=$ROS_HOME XDG_RUNTIME_DIR=$ROS_HOME QT_QPA_PLATFORM=xcb

@@ -6,7 +6,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 seconds=${1:-20}
 
-build_package poinsot_node bare_tf_broadcaster
+build_package -DPOINSOT_BUILD_BENCHMARKS=ON demo bare_tf_broadcaster
 enter_devel
 start_graph
 

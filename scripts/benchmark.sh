@@ -14,10 +14,10 @@ case "${1:-}" in
   *) bad_use "benchmark.sh: unknown word '$1'; it takes none" ;;
 esac
 
-"$root/scripts/setup.sh" --peers
+"$root/scripts/setup.sh" --benchmarks --peers
 build=${POINSOT_BUILD:-$build}
 say "building"
-build_package work_precision_measure accuracy_choice torque_precision
+build_package -DPOINSOT_BUILD_BENCHMARKS=ON work_precision_measure accuracy_choice torque_precision
 programs=$build/devel/lib/poinsot
 
 work=$(mktemp -d)

@@ -26,17 +26,30 @@ say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 bad_use() { printf '%s\n' "$*" >&2; exit 2; }
 
-# build_package [-DOPTION=VALUE ...] [TARGET ...]: configures once, then builds (Release unless the build directory or an
-# option says otherwise).
+# use_ccache: lets ccache, where it is installed, know a source file again in another copy of the package.
+use_ccache() {
+  command -v ccache > /dev/null || return 0
+  CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}  # stays when a test changes HOME
+  export CCACHE_DIR CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
+}
+
+# build_package [-DOPTION=VALUE ...] TARGET ...: configures and builds (Release unless the build directory or an option says
+# otherwise). A new build directory is without tests and benchmarks, which need more packages, unless an option asks for them.
 build_package() {
-  local log=$build/build.log options=()
+  local log=$build/build.log options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
+  mkdir -p "$build"
+  use_ccache "$root"
+  if [ ! -f "$build/CMakeCache.txt" ]; then
+    options+=(-DCATKIN_ENABLE_TESTING=OFF -DPOINSOT_BUILD_BENCHMARKS=OFF)
+    [ -n "${CCACHE_DIR:-}" ] && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    command -v ninja > /dev/null && options+=(-G Ninja)
+  fi
   while [[ ${1:-} == -D* ]]; do
     options+=("$1")
     shift
   done
-  mkdir -p "$build"
-  if ! { cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${options[@]}" &&
-         cmake --build "$build" --parallel "$(nproc)" --target "${@:-all}"; } > "$log" 2>&1; then
+  if ! { cmake -S "$root" -B "$build" "${options[@]}" &&
+         cmake --build "$build" --parallel "$(nproc)" --target "$@"; } > "$log" 2>&1; then
     grep -nE -A4 'error|Error' "$log" | head -60 >&2 || true
     tail -n 20 "$log" >&2
     fail "the build failed; all of its output is in $log"

@@ -26,9 +26,9 @@ case "$mode" in equal_cost | equal_step) ;; *) bad_use "compare.sh: --mode $mode
 [[ $out == *.png ]] || bad_use "compare.sh: --out $out does not end with .png"
 mkdir -p "$(dirname "$out")" && [ -w "$(dirname "$out")" ] || bad_use "compare.sh: cannot write $out"
 
-"$root/scripts/setup.sh"
+"$root/scripts/setup.sh" --pictures
 say "building"
-build_package
+build_package demo compare_scene
 enter_devel
 stay_on_loopback "$(free_port)"
 

@@ -41,9 +41,11 @@ case "$scene" in
 esac
 [ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
 
-"$root/scripts/setup.sh"
+packages=()
+if [ $headless = yes ] || [ -n "$screenshot" ]; then packages=(--pictures); fi
+"$root/scripts/setup.sh" "${packages[@]}"
 say "building"
-build_package
+build_package demo
 enter_devel
 "$build/devel/lib/poinsot/poinsot_node" --check "$file" || exit 2
 

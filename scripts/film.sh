@@ -78,8 +78,8 @@ trap 'exit 143' TERM
 /usr/bin/python3 "$root/scripts/choose_view.py" "$config" "$work/view.rviz" "$view" "$size" 2> "$work/said" ||
   bad_use "film.sh: $(cat "$work/said")"
 
-"$root/scripts/setup.sh"
-[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package; }
+"$root/scripts/setup.sh" --pictures --films
+[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package demo; }
 enter_devel
 "$build/devel/lib/poinsot/poinsot_node" --check "$file" > "$work/said" 2>&1 || { cat "$work/said" >&2; exit 2; }
 

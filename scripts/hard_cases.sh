@@ -13,9 +13,9 @@ case "${1:-}" in
   *) bad_use "hard_cases.sh: unknown word '$1'; it takes none" ;;
 esac
 
-"$root/scripts/setup.sh"
+"$root/scripts/setup.sh" --benchmarks
 build=${POINSOT_BUILD:-$build}
-build_package hard_cases propagate poinsot_node
+build_package -DPOINSOT_BUILD_BENCHMARKS=ON hard_cases propagate poinsot_node
 enter_devel
 programs=$build/devel/lib/poinsot
 

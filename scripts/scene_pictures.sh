@@ -44,8 +44,8 @@ at() {
   esac
 }
 
-"$root/scripts/setup.sh"
-[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package; }
+"$root/scripts/setup.sh" --pictures
+[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package demo; }
 enter_devel
 stay_on_loopback "$(free_port)"
 

@@ -1,20 +1,31 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Poinsot needs and that are missing.  Usage: scripts/setup.sh [--peers]
-#   --peers   also the solvers that scripts/benchmark.sh compares it with
+# Installs the Debian packages that are missing for what is asked for: those of scripts/packages/NAME.txt.
+#
+# Usage: scripts/setup.sh [--NAME ...]
+#   (always)      what the demo needs
+#   --pictures    a virtual display, and pictures of it
+#   --films       scripts/film.sh
+#   --tests       scripts/test.sh
+#   --tests_long  scripts/test.sh --all
+#   --benchmarks  the benchmarks and the reference rows
+#   --peers       the solvers that scripts/benchmark.sh compares Poinsot with
+#   --docs        scripts/docs.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-lists=("$root/scripts/packages.txt")
-case "${1:-}" in
-  '') ;;
-  --peers) lists+=("$root/scripts/packages_peers.txt") ;;
-  -h | --help) usage; exit 0 ;;
-  *) bad_use "setup.sh: unknown word '$1'; it takes --peers or none" ;;
-esac
+lists=("$root/scripts/packages/demo.txt")
+for word in "$@"; do
+  case "$word" in
+    -h | --help) usage; exit 0 ;;
+    --pictures | --films | --tests | --tests_long | --benchmarks | --peers | --docs)
+      lists+=("$root/scripts/packages/${word#--}.txt") ;;
+    *) bad_use "setup.sh: unknown word '$word'; see setup.sh --help" ;;
+  esac
+done
 
-missing=()
-while read -r package; do
-  dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2> /dev/null | grep -q '^ii' || missing+=("$package")
-done < <(sed 's/#.*//' "${lists[@]}" | awk 'NF {print $1}')
+mapfile -t wanted < <(sed 's/#.*//' "${lists[@]}" | awk 'NF {print $1}' | sort -u)
+mapfile -t missing < <(
+  dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "${wanted[@]}" 2> /dev/null | sed -n 's/^ii *//p' | sort -u |
+    comm -23 <(printf '%s\n' "${wanted[@]}") -)
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 say "installing ${#missing[@]} Debian packages"

@@ -1,83 +1,82 @@
 #!/usr/bin/env bash
-# Builds the package and runs every test that it has.
+# Builds what the tests need, and runs them.
 #
-# Usage: scripts/test.sh
+# Usage: scripts/test.sh [--all | --only PATTERN] [--list]
+#   (nothing)       the quick tests: what a change usually breaks
+#   --all           all tests
+#   --only PATTERN  the tests of either tier whose name matches the regular expression
+#   --list          prints name, tier and usual duration of these tests (of all, where none are chosen); runs none
 #
-# The last line reads "N passed, M failed". Exit: 0 when all passed, 1 otherwise.
+# Prints what failed, the time of each stage and the ten slowest tests; all durations are left in build/test_durations.csv.
+# The last line reads "N passed, M failed". Exit: 0 when all passed, 1 otherwise, 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-case "${1:-}" in
-  '') ;;
-  -h | --help) usage; exit 0 ;;
-  *) bad_use "test.sh: unknown word '$1'; it takes none" ;;
-esac
+chosen=quick list=no
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --all) chosen=all; shift ;;
+    --only)
+      [ -n "${2:-}" ] || bad_use "test.sh: --only needs a regular expression"
+      chosen=$2; shift 2 ;;
+    --list) list=yes; shift ;;
+    -h | --help) usage; exit 0 ;;
+    *) bad_use "test.sh: unknown word '$1'; see test.sh --help" ;;
+  esac
+done
 
-"$root/scripts/setup.sh"
+times=$(mktemp)
+ROS_HOME=$(mktemp -d)
+export ROS_HOME
+trap 'rm -rf "$ROS_HOME" "$times"' EXIT
+# stage NAME COMMAND...: notes how long it took.
+stage() {
+  local name=$1 begin=$EPOCHREALTIME
+  shift
+  "$@"
+  awk -v name="$name" -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN {printf "%s,%.1f\n", name, b - a}' >> "$times"
+}
+
+packages=(--tests --pictures)
+[ "$chosen" = quick ] || packages+=(--tests_long --films)
+stage "installing packages" "$root/scripts/setup.sh" "${packages[@]}"
+options=(-DCATKIN_ENABLE_TESTING=ON)
+[ "$chosen" = quick ] || options+=(-DPOINSOT_BUILD_BENCHMARKS=ON)
+[ -z "${CI:-}" ] || options+=(-DPOINSOT_WARNINGS_ARE_ERRORS=ON)
 
 # Tests never meet a graph that is running, nor a display.
 stay_on_loopback "$(free_port)"
 unset DISPLAY
-ROS_HOME=$(mktemp -d)
-export ROS_HOME
-trap 'rm -rf "$ROS_HOME"' EXIT
 
-say "building the package and its tests"
-results=$build/test_results
-rm -rf "$results"
-build_package all tests
-enter_devel
-stay_on_loopback "$(free_port)"
-
-passed=0 failed=0 skipped=0
-
-# count_xml: adds up what the test programs wrote, and names what failed.
-count_xml() {
-  local counts
-  counts=$(python3 "$root/scripts/count_tests.py" "$results") || true
-  printf '%s\n' "$counts" | head -n -1
-  read -r p f s <<< "$(printf '%s\n' "$counts" | tail -n 1)"
-  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
-}
-
-# script NAME COMMAND...: a test that is a program of its own; it ends with "N passed, M failed".
-script() {
-  local name=$1 log=$build/$1.log
-  shift
-  say "$name"
-  if "$@" > "$log" 2>&1; then local good=yes; else local good=no; fi
-  grep -E '^(PASS|FAIL)|^        ' "$log" || true
-  local line p f
-  line=$(tail -n 1 "$log")
-  if [[ $line =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
-    p=${BASH_REMATCH[1]} f=${BASH_REMATCH[2]}
-    [ $good = yes ] || [ "$f" -gt 0 ] || f=1
-  else
-    p=0 f=1
-    tail -n 30 "$log"
-  fi
-  [ "$f" -eq 0 ] || echo "the whole output is in $log"
-  passed=$((passed + p)) failed=$((failed + f))
-}
-
-say "gtest and rostest"
-# One at a time: rostests measure time.
-# catkin's run_tests succeeds even when tests fail: if it does not, it broke off.
-if ! cmake --build "$build" --target run_tests > "$build/run_tests.log" 2>&1; then
-  tail -n 20 "$build/run_tests.log"
-  echo "FAIL  run_tests broke off; its output is in $build/run_tests.log"
-  failed=$((failed + 1))
+configure() { build_package "${options[@]}" clean_test_results; }
+tests() { /usr/bin/python3 "$root/test/tests.py" "$@"; }
+stage configuring configure
+if [ $list = yes ]; then
+  case $chosen in
+    quick | all) tests list "$build" ;;
+    *) tests list "$build" "$chosen" ;;
+  esac
+  exit
 fi
-count_xml
+names=$(tests names "$build" "$chosen") || bad_use "test.sh: no test matches '$chosen'; --list prints their names"
 
-script sanitizers "$root/test/sanitizers/run.sh"
-script mutations "$root/test/mutations/run.py"
-script workspace "$root/test/workspace/test_workspace.sh"
-script instructions "$root/test/instructions/test_instructions.py" "$build/devel/lib/poinsot/instruction_probe"
-script work_precision "$root/test/scripts/test_work_precision.py" "$build/devel/lib/poinsot/work_precision"
-script scenes "$root/test/scripts/test_scenes.py" "$build/devel/lib/poinsot"
-script scripts "$root/test/scripts/test_scripts.sh"
+say "building"
+compile() {
+  local targets
+  mapfile -t targets < <(tests needs "$build" "$chosen")
+  build_package "${targets[@]}"
+}
+stage building compile
 
-say "result"
-[ "$skipped" -eq 0 ] && echo "nothing was skipped" || echo "$skipped skipped, see above"
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+say "testing"
+rm -rf "$build/ctest.xml" "$build/test_results"
+run() {
+  # Two slots a core: a test that computes takes two of them, one that mostly waits takes one (cmake/poinsot_tests.cmake).
+  ctest --test-dir "$build" --parallel $((2 * $(nproc))) --output-junit "$build/ctest.xml" \
+    -R "^($(sed 's/[.]/[.]/g' <<< "$names" | paste -sd '|'))\$" > "$build/ctest.log" 2>&1 &
+  local pid=$!
+  tail -n +1 --pid=$pid -f "$build/ctest.log" |
+    sed -uE '/^ *[0-9]+\/[0-9]+ Test/!d; s/_ctest_poinsot_(gtest_|rostest_test_|roslaunch-check_)//' || true
+  wait $pid || true
+}
+stage "running the tests" run
+tests report "$build" "$times"

@@ -5,10 +5,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "poinsot/core/pi.h"
+
 namespace poinsot {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kThinnestSide = 0.02;  // of the longest, for a stand-in box
 
 /** Σ over the solid of (x/w)², divided by its mass, for the three axes. */

@@ -1,14 +1,13 @@
 #include "poinsot/core/closed_form.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "closed_form/levels.h"
 #include "closed_form/wide.h"
+#include "messages.h"
 #include "poinsot/core/inertia.h"
 
 namespace poinsot {
@@ -18,16 +17,6 @@ using closed_form::Constants;
 using closed_form::Phases;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-[[noreturn]] void refuse(const std::string& reason) {
-  throw std::invalid_argument(reason);
-}
-
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
 
 closed_form::Start checked(const Eigen::Vector3d& moments, const Eigen::Quaterniond& q, const Eigen::Vector3d& omega) {
   PrincipalInertia::fromMoments(moments);

@@ -3,25 +3,14 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
+
+#include "messages.h"
 
 namespace poinsot {
 namespace {
 
 constexpr double kSymmetryTolerance = 1e-9;
 constexpr double kSmallestMomentRatio = 1e-14;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
-
-std::string shown(double value) {
-  std::ostringstream out;
-  out.precision(17);
-  out << value;
-  return out.str();
-}
 
 }  // namespace
 

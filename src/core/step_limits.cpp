@@ -9,6 +9,7 @@
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/invariants.h"
 #include "poinsot/core/no_convergence.h"
+#include "poinsot/core/pi.h"
 #include "poinsot/core/rotation.h"
 
 namespace poinsot {
@@ -17,7 +18,6 @@ namespace {
 using Eigen::Vector3d;
 using Grade = StepJudgement::Grade;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad a turn; the second of E as well
 constexpr double kLost = 0.5;                     // of E, of the range of E at that |L|, of |L|
 constexpr double kClearlySmall = 0.02;  // of effort(): the error of a turn is then below 0.1 rad, even of first order

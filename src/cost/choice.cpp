@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "number_text.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
@@ -26,12 +26,6 @@ constexpr int kMostTrials = 20;          // to one method
 constexpr int kMostWithoutProgress = 4;  // of them
 constexpr int kMostCorrections = 6;      // after a verification that failed
 constexpr double kLongestAngle = 2;      // rad: no step is tried that turns the body by more, unless it is a tick
-
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 /** How near a method came. */
 struct Nearest {

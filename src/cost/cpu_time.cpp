@@ -7,11 +7,11 @@
 namespace poinsot::cost {
 namespace {
 
-constexpr int kRepetitions = 200;
+constexpr int kReadings = 200;
 
 double measureClock() {
   double least = 1;
-  for (int i = 0; i < kRepetitions; ++i) {
+  for (int i = 0; i < kReadings; ++i) {
     const double begin = threadCpuTime();
     least = std::min(least, threadCpuTime() - begin);
   }

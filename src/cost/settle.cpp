@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "number_text.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/motion_setup.h"
@@ -11,12 +11,6 @@
 
 namespace poinsot::cost {
 namespace {
-
-std::string shown(double value, const char* format = "%.3g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string sentence(const scene::Body& body, const Choice& choice) {
   const scene::Accuracy& wish = *body.accuracy;

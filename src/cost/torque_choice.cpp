@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "number_text.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/torque_stepper.h"
@@ -27,12 +27,6 @@ constexpr double kNearEnough = 1.12;     // two steps with this ratio are not to
 constexpr double kMostCut = 1.02;        // steps taken to steps asked for: beyond it they are cut too often
 const char* const kReferences[2] = {"taylor24", "taylor20"};
 constexpr double kReferenceRatio = 0.77;  // of their steps: no common grid
-
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 struct Look {
   Eigen::Quaterniond attitude;

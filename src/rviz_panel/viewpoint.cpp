@@ -13,13 +13,13 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kLookEvery = 100;  // ms
+constexpr int kSendEvery = 100;  // ms
 
 }  // namespace
 
 Viewpoint::Viewpoint(rviz::VisualizationManager* manager, QObject* parent) : QObject(parent), manager_(manager) {
   connect(&timer_, &QTimer::timeout, this, &Viewpoint::look);
-  timer_.start(kLookEvery);
+  timer_.start(kSendEvery);
 }
 
 void Viewpoint::repeat() {

@@ -6,12 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "characters.h"
+
 namespace poinsot::scene {
 namespace {
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /** Reads along a text, piece by piece. */
 struct Scanner {

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "characters.h"
+
 namespace poinsot::scene {
 namespace {
 
 constexpr std::size_t kFurthestSuggestion = 2;  // edits
 constexpr std::size_t kLongestSuggested = 40;   // characters; no word of ours is longer
 
-// std::isalpha and its like would ask the locale.
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
 }
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

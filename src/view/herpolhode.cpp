@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "even_spread.h"
+#include "poinsot/core/pi.h"
 #include "poinsot/view/flips.h"
 
 namespace poinsot::view {
 namespace {
 
-constexpr double kTurn = 6.28318530717958647692;
+constexpr double kWholeTurn = 2 * kPi;  // rad
 constexpr int kPiecesPerTurn = 8;        // at least, of the body about L: from there on pieces are halved
 constexpr int kPiecesPerHalfPeriod = 8;  // at least
 constexpr int kMostHalvings = 12;
@@ -104,7 +105,7 @@ bool isCircle(const Herpolhode& h, double tolerance) {
 void drawCircle(const Tip& tip, const InvariablePlane& plane, int points, Herpolhode& out) {
   const Eigen::Vector3d first = tip(out.start);
   for (int i = 0; i < points; ++i) {
-    out.curve.points.push_back(Eigen::AngleAxisd(kTurn * i / points, plane.normal) * first);
+    out.curve.points.push_back(Eigen::AngleAxisd(kWholeTurn * i / points, plane.normal) * first);
   }
   out.curve.closed = true;
 }
@@ -112,7 +113,7 @@ void drawCircle(const Tip& tip, const InvariablePlane& plane, int points, Herpol
 void drawSeparatrix(const ClosedForm& motion, const Tip& tip, double tolerance, std::size_t most, Herpolhode& out) {
   out.start = flipOnSeparatrix(motion);
   out.outer = tip.radius(out.start);
-  const double turn_time = kTurn / motion.precessionRate();
+  const double turn_time = kWholeTurn / motion.precessionRate();
   double reach = turn_time;
   for (int i = 0; i < 60 && tip.radius(out.start + reach) > tolerance; ++i) reach *= 1.25;
   Spread spread(tip, tolerance, most - 1);
@@ -124,7 +125,7 @@ void drawSeparatrix(const ClosedForm& motion, const Tip& tip, double tolerance, 
 /** How many half periods, each turning by `angle`, bring a point at radius `outer` back; 0: none up to `most`. */
 int halfPeriodsToClose(double angle, double outer, double tolerance, int most) {
   for (int n = 1; n <= most; ++n) {
-    if (std::abs(std::remainder(n * angle, kTurn)) * outer <= tolerance) return n;
+    if (std::abs(std::remainder(n * angle, kWholeTurn)) * outer <= tolerance) return n;
   }
   return 0;
 }
@@ -167,7 +168,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   } else {
     out.inner = out.outer = tip.radius(0);
   }
-  const double turn_time = kTurn / motion.precessionRate();
+  const double turn_time = kWholeTurn / motion.precessionRate();
   if (isCircle(out, stray)) {
     const double wanted = pointsOfCircle(out.outer, stray);
     drawCircle(tip, plane, static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most))), out);

@@ -2,7 +2,8 @@
 """Shows that the audit can fail: changes one line of the node at a time, runs the audit against it, and demands that it
 reports just what is wrong.
 
-Usage: run.py   (works on a copy of the sources in a temporary directory)
+Usage: run.py [--only NAME]   (works on a copy of the sources in a temporary directory)
+  --only NAME   this change alone
 
 The last line is "N passed, M failed"; exit 0 when all changes were caught, and the unchanged node passed.
 """
@@ -94,19 +95,32 @@ def audit(build_dir):
 
 
 def main():
-    if len(sys.argv) > 1:
+    words, changes = sys.argv[1:], MUTATIONS
+    if words[:1] == ["--only"] and len(words) == 2:
+        changes = [mutation for mutation in MUTATIONS if mutation[0] == words[1]]
+        if not changes:
+            print("run.py: expected the name of a change, got %s" % words[1], file=sys.stderr)
+            return 2
+    elif words:
         print(__doc__)
-        return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
+        return 0 if words in (["-h"], ["--help"]) else 2
     # Not below the package: ROS would find every launch file twice.
     with tempfile.TemporaryDirectory(prefix="poinsot_mutations_") as work:
-        return mutate(work)
+        return mutate(work, changes)
 
 
-def mutate(work):
-    source, build_dir = os.path.join(work, "source"), os.path.join(work, "build")
-    shutil.copytree(ROOT, source, ignore=shutil.ignore_patterns(".git", "build", "__pycache__"))
-    must(["cmake", "-S", source, "-B", build_dir, "-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DCMAKE_BUILD_TYPE=Release",
-          "-DCMAKE_CXX_FLAGS_RELEASE=-O1"])
+def mutate(work, changes):
+    # Laid out, and compiled, as scripts/test.sh does: where ccache is installed, only what is changed is compiled again.
+    source = os.path.join(work, "source")
+    build_dir = os.path.join(source, "build")
+    shutil.copytree(ROOT, source, ignore=shutil.ignore_patterns(".git", "build", "bin", "__pycache__"))
+    os.environ["CCACHE_BASEDIR"] = source
+    options = ["-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DPOINSOT_BUILD_PANEL=OFF", "-DPOINSOT_BUILD_BENCHMARKS=OFF"]
+    if shutil.which("ccache"):
+        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    if shutil.which("ninja"):
+        options += ["-G", "Ninja"]
+    must(["cmake", "-S", source, "-B", build_dir] + options)
     build(build_dir)
 
     passed = failed = 0
@@ -118,7 +132,7 @@ def mutate(work):
 
     good, said = audit(build_dir)
     report(good, "the node as it is passes", "" if good else "\n" + said[-6000:])
-    for name, file, old, new, expected in MUTATIONS:
+    for name, file, old, new, expected in changes:
         path = os.path.join(source, file)
         with open(path) as handle:
             text = handle.read()
