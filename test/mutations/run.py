@@ -7,7 +7,9 @@ Usage: run.py [--only NAME]   (works on a copy of the sources in a temporary dir
 
 The last line is "N passed, M failed"; exit 0 when all changes were caught, and the unchanged node passed.
 """
+import concurrent.futures
 import os
+import queue
 import re
 import shutil
 import subprocess
@@ -15,6 +17,8 @@ import sys
 import tempfile
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+
+AT_ONCE = 2  # copies of the package
 
 # name, file, what stands there (once), what is put there, what the audit must say
 MUTATIONS = [
@@ -74,24 +78,68 @@ def run(command, **options):
 def must(command, **options):
     result = run(command, **options)
     if result.returncode != 0:
-        sys.exit("%s failed:\n%s" % (" ".join(command), result.stdout[-4000:]))
+        raise RuntimeError("%s failed:\n%s" % (" ".join(command), result.stdout[-4000:]))
 
 
-def build(build_dir):
-    must(["cmake", "--build", build_dir, "--parallel", "2", "--target", "poinsot_node", "audit_live"])
+class Copy(object):
+    """A copy of the package that is built, changed, built again and audited. Copies do not meet."""
 
+    def __init__(self, folder):
+        # Laid out, and compiled, as scripts/test.sh does: where ccache is installed, only what is changed is compiled again.
+        self.source = os.path.join(folder, "source")
+        self.build_dir = os.path.join(self.source, "build")
+        self.environment = dict(os.environ, CCACHE_BASEDIR=self.source)
+        shutil.copytree(ROOT, self.source, ignore=shutil.ignore_patterns(".git", "build", "bin", "__pycache__"))
+        options = ["-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DPOINSOT_BUILD_PANEL=OFF", "-DPOINSOT_BUILD_BENCHMARKS=OFF"]
+        if shutil.which("ccache"):
+            options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+        if shutil.which("ninja"):
+            options += ["-G", "Ninja"]
+        must(["cmake", "-S", self.source, "-B", self.build_dir] + options)
 
-def audit(build_dir):
-    """Runs the audit; returns whether it passed and what it said."""
-    setup = os.path.join(build_dir, "devel", "setup.bash")
-    with tempfile.TemporaryDirectory() as home:
-        said = run(["bash", "-c", "source '%s' && exec rostest --text --results-base-dir='%s' poinsot audit.test"
-                    % (setup, home)], env=dict(os.environ, ROS_IP="127.0.0.1", ROS_HOME=home)).stdout
-    # With --text rostest's exit code says nothing: the test program's own words do.
-    passed, failed = "[  PASSED  ] 1 test" in said, "[  FAILED  ]" in said
-    if passed == failed:
-        sys.exit("the audit did not run:\n" + said[-4000:])
-    return passed, said
+    def build(self):
+        must(["cmake", "--build", self.build_dir, "--parallel", "2", "--target", "poinsot_node", "audit_live"],
+             env=self.environment)
+
+    def audit(self):
+        """Runs the audit; returns whether it passed and what it said."""
+        setup = os.path.join(self.build_dir, "devel", "setup.bash")
+        with tempfile.TemporaryDirectory() as home:
+            said = run(["bash", "-c", 'source "$0" && exec rostest --text "--results-base-dir=$1" poinsot audit.test',
+                        setup, home], env=dict(self.environment, ROS_IP="127.0.0.1", ROS_HOME=home)).stdout
+        # With --text rostest's exit code says nothing: the test program's own words do.
+        passed, failed = "[  PASSED  ] 1 test" in said, "[  FAILED  ]" in said
+        if passed == failed:
+            raise RuntimeError("the audit did not run:\n" + said[-4000:])
+        return passed, said
+
+    def unchanged(self):
+        """(whether the audit lets the node as it is pass, what it says of it otherwise)"""
+        self.build()
+        passed, said = self.audit()
+        return passed, "" if passed else "\n" + said[-6000:]
+
+    def changed(self, name, file, old, new, expected):
+        """(whether the audit reports this change, and how, or what went wrong)"""
+        path = os.path.join(self.source, file)
+        with open(path) as handle:
+            text = handle.read()
+        if text.count(old) != 1:
+            return False, ": %s has %d places to change, one is needed" % (file, text.count(old))
+        with open(path, "w") as handle:
+            handle.write(text.replace(old, new))
+        try:
+            self.build()
+            passed, said = self.audit()
+        finally:
+            with open(path, "w") as handle:
+                handle.write(text)
+        lines = [line.strip() for line in said.splitlines() if re.search(expected, line)]
+        if passed:
+            return False, ": the audit did not notice"
+        if not lines:
+            return False, ": the audit failed, but did not say /%s/:\n%s" % (expected, said[-6000:])
+        return True, "\n        " + lines[0][:300]
 
 
 def main():
@@ -110,51 +158,27 @@ def main():
 
 
 def mutate(work, changes):
-    # Laid out, and compiled, as scripts/test.sh does: where ccache is installed, only what is changed is compiled again.
-    source = os.path.join(work, "source")
-    build_dir = os.path.join(source, "build")
-    shutil.copytree(ROOT, source, ignore=shutil.ignore_patterns(".git", "build", "bin", "__pycache__"))
-    os.environ["CCACHE_BASEDIR"] = source
-    options = ["-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DPOINSOT_BUILD_PANEL=OFF", "-DPOINSOT_BUILD_BENCHMARKS=OFF"]
-    if shutil.which("ccache"):
-        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
-    if shutil.which("ninja"):
-        options += ["-G", "Ninja"]
-    must(["cmake", "-S", source, "-B", build_dir] + options)
-    build(build_dir)
+    first = Copy(os.path.join(work, "0"))
+    results = [("the node as it is passes",) + first.unchanged()]
+    copies = queue.Queue()
+    copies.put(first)
 
-    passed = failed = 0
-
-    def report(good, name, detail=""):
-        nonlocal passed, failed
-        passed, failed = passed + good, failed + (not good)
-        print("%s  %s%s" % ("PASS" if good else "FAIL", name, detail), flush=True)
-
-    good, said = audit(build_dir)
-    report(good, "the node as it is passes", "" if good else "\n" + said[-6000:])
-    for name, file, old, new, expected in changes:
-        path = os.path.join(source, file)
-        with open(path) as handle:
-            text = handle.read()
-        if text.count(old) != 1:
-            report(False, name, ": %s has %d places to change, one is needed" % (file, text.count(old)))
-            continue
-        with open(path, "w") as handle:
-            handle.write(text.replace(old, new))
+    def tried(change):
+        copy = copies.get()
         try:
-            build(build_dir)
-            good, said = audit(build_dir)
+            return (change[0],) + copy.changed(*change)
         finally:
-            with open(path, "w") as handle:
-                handle.write(text)
-        lines = [line.strip() for line in said.splitlines() if re.search(expected, line)]
-        if good:
-            report(False, name, ": the audit did not notice")
-        elif not lines:
-            report(False, name, ": the audit failed, but did not say /%s/:\n%s" % (expected, said[-6000:]))
-        else:
-            report(True, name, "\n        " + lines[0][:300])
-    print("%d passed, %d failed" % (passed, failed))
+            copies.put(copy)
+
+    # One is compiled while another is listened to.
+    for number in range(1, min(AT_ONCE, len(changes))):
+        copies.put(Copy(os.path.join(work, str(number))))
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        results += pool.map(tried, changes)
+    for name, good, words in results:
+        print("%s  %s%s" % ("PASS" if good else "FAIL", name, words))
+    failed = sum(1 for result in results if not result[1])
+    print("%d passed, %d failed" % (len(results) - failed, failed))
     return 1 if failed else 0
 
 
