@@ -3,7 +3,7 @@
 option(POINSOT_JOIN_FILES "Compile files that share their headers together: far less work for the compiler" ON)
 
 function(poinsot_join target)
-  if(NOT POINSOT_JOIN_FILES OR CMAKE_VERSION VERSION_LESS 3.18)  # 3.18: groups of files
+  if(NOT TARGET ${target} OR NOT POINSOT_JOIN_FILES OR CMAKE_VERSION VERSION_LESS 3.18)  # 3.18: groups of files
     return()
   endif()
   get_target_property(groups ${target} POINSOT_GROUPS)
