@@ -14,6 +14,7 @@
 #include "poinsot/core/stepper.h"
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/cost/torque_choice.h"
+#include "poinsot/scene/reader.h"
 
 namespace poinsot::cost {
 namespace {
@@ -69,7 +70,7 @@ std::string processor() {
 std::map<std::string, MethodCost> cached(const std::string& file) {
   std::map<std::string, MethodCost> costs;
   try {
-    const YAML::Node tree = YAML::LoadFile(file);
+    const YAML::Node tree = scene::readDocument(file);
     if (tree["processor"].as<std::string>() != processor()) return {};
     if (tree["version"].as<std::string>() != POINSOT_VERSION) return {};
     for (const auto& entry : tree["methods"]) {
@@ -78,6 +79,8 @@ std::map<std::string, MethodCost> cached(const std::string& file) {
       if (!sane) return {};
       costs[entry.first.as<std::string>()] = cost;
     }
+  } catch (const scene::Error&) {
+    return {};
   } catch (const YAML::Exception&) {
     return {};
   }

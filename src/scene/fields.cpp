@@ -1,6 +1,7 @@
 #include "fields.h"
 
 #include <algorithm>
+#include <set>
 
 #include "words.h"
 
@@ -8,11 +9,12 @@ namespace poinsot::scene {
 
 Fields::Fields(const Place& place, const std::string& allowed) : place_(place) {
   if (!place.node().IsMap()) place.refuse(place.found() + " is not a map", allowed);
+  std::set<std::string> keys;
   for (const auto& entry : place.node()) {
     if (!entry.first.IsScalar()) place.refuse("a key is not a word", allowed);
     const std::string key = entry.first.Scalar();
     const Place key_place = place.under(entry.first, entry.first);
-    if (find(key)) key_place.refuse("duplicate key", "every key once");
+    if (!keys.insert(key).second) key_place.refuse("duplicate key", "every key once");
     fields_.push_back({key, key_place, place.under(entry.first, entry.second)});
   }
 }

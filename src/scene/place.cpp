@@ -12,6 +12,8 @@ bool hasExplicitTag(const YAML::Node& node) {
   return !(tag.empty() || tag == "?" || tag == "!");
 }
 
+}  // namespace
+
 std::string shortened(const std::string& text) {
   std::string shown;
   for (const char c : text) {
@@ -20,8 +22,6 @@ std::string shortened(const std::string& text) {
   }
   return shown;
 }
-
-}  // namespace
 
 Place::Place(const YAML::Node& node, const std::string& source, const std::string& path)
     : node_(node), source_(source), path_(path), mark_(node.Mark()) {

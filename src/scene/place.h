@@ -7,6 +7,9 @@
 
 namespace poinsot::scene {
 
+/** A text as a message shows it: on one line, and not much longer than 60 bytes. */
+std::string shortened(const std::string& text);
+
 /**
  * A node of the scene's tree and how to point at it in a message: `bodies[1] "hammer".inertia[2]`, counted from 0.
  * A node with an explicit YAML tag is refused on construction: readers disagree about tags (rosparam turns

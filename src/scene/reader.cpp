@@ -1,16 +1,14 @@
 #include "poinsot/scene/reader.h"
 
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include "body_reader.h"
+#include "document.h"
 #include "fields.h"
 #include "number.h"
+#include "text_file.h"
 
 namespace poinsot::scene {
 namespace {
@@ -78,53 +76,14 @@ Scene readScene(const Place& top, const ReadOptions& options) {
   return scene;
 }
 
-std::string contentsOf(const std::string& path) {
-  const auto refuse = [&]() {
-    const std::string why = std::strerror(errno);
-    throw Error(path + ": cannot be read, " + why + "; allowed: a readable scene file");
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) refuse();
-  std::string text;
-  char buffer[4096];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, count);
-  if (std::ferror(file.get())) refuse();
-  return text;
-}
-
-/** yaml-cpp takes some control characters as the end of the file and would drop the rest without a word. */
-void refuseControlCharacters(const std::string& text, const std::string& source) {
-  int line = 1;
-  for (const char c : text) {
-    if (c == '\n') ++line;
-    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t') {
-      throw Error(source + ":" + std::to_string(line) + ": a control character; allowed: YAML text in UTF-8");
-    }
-  }
-}
-
-YAML::Node parsed(const std::string& text, const std::string& source) {
-  std::vector<YAML::Node> documents;
-  try {
-    documents = YAML::LoadAll(text);
-  } catch (const YAML::Exception& error) {
-    const std::string line = error.mark.is_null() ? "" : ":" + std::to_string(error.mark.line + 1);
-    throw Error(source + line + ": not YAML, " + error.msg + "; allowed: one YAML document");
-  }
-  if (documents.empty()) throw Error(source + ": the file is empty; allowed: a map with the keys rate, bodies");
-  if (documents.size() > 1) {
-    throw Error(source + ": the file holds " + std::to_string(documents.size()) +
-                " YAML documents; allowed: one YAML document");
-  }
-  return documents.front();
-}
-
 }  // namespace
 
+YAML::Node readDocument(const std::string& path) {
+  return parseDocument(readTextFile(path), path);
+}
+
 Scene readFile(const std::string& path, const ReadOptions& options) {
-  const std::string text = contentsOf(path);
-  refuseControlCharacters(text, path);
-  return readTree(parsed(text, path), path, options);
+  return readTree(readDocument(path), path, options);
 }
 
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options) {

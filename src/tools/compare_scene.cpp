@@ -63,7 +63,8 @@ cost::Choice goodStepper(const MotionSetup& setup, double rate, const cost::Meth
 }
 
 void print(const Options& options) {
-  const scene::Scene scene = scene::readFile(options.scene_file);
+  const YAML::Node tree = scene::readDocument(options.scene_file);
+  const scene::Scene scene = scene::readTree(tree, options.scene_file);
   const std::size_t index = indexOf(scene, options.body);
   const scene::Body& body = scene.bodies[index];
   const double rate = scene.rate.value_or(scene::kDefaultRate);
@@ -94,7 +95,7 @@ void print(const Options& options) {
                     1e6 * budget, rate));
   out << YAML::BeginMap << YAML::Key << "rate" << YAML::Value << rate << YAML::Key << "bodies" << YAML::Value
       << YAML::BeginSeq;
-  const YAML::Node given = bare(YAML::LoadFile(options.scene_file)["bodies"][index]);
+  const YAML::Node given = bare(tree["bodies"][index]);
   std::vector<std::string> names = steppers;
   names.push_back(kClosedForm);
   for (std::size_t i = 0; i < names.size(); ++i) {

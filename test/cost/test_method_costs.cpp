@@ -107,6 +107,15 @@ TEST_F(CostFile, ofAnotherMachineOrBrokenIsMeasuredAgain) {
   }
 }
 
+TEST_F(CostFile, thatIsAPipeIsReplaced) {
+  fs::create_directories(fs::path(file_).parent_path());
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  alarm(120);  // a reader that waits for the pipe's other end ends the test
+  cost::costsOfThisMachine(file_);
+  alarm(0);
+  EXPECT_TRUE(fs::is_regular_file(file_));
+}
+
 TEST_F(CostFile, thatCannotBeWrittenIsNoError) {
   const cost::MethodCosts costs = cost::costsOfThisMachine("/proc/no/costs.yaml");
   EXPECT_EQ(costs.all().size(), kWays);

@@ -5,6 +5,7 @@ import math
 import os
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
@@ -261,6 +262,24 @@ class ChangesTest(unittest.TestCase):
             file.write("bodies:\n  - {name: a, inertia: [1, -2, 3], angular_velocity: [0, 1, 0]}\n")
         self.refuse(lambda: self.load_scene(bad), bad + ":2", "-2", "allowed: a positive finite number")
         os.remove(bad)
+
+    def test_a_path_to_a_pipe_or_a_device_is_refused_and_services_go_on(self):
+        def within_seconds(act):  # a service that never answers fails the test, and does not stop it
+            answers = []
+            thread = threading.Thread(target=lambda: answers.append(act()), daemon=True)
+            thread.start()
+            thread.join(20)
+            self.assertTrue(answers, "no answer in 20 s")
+            return answers[0]
+
+        pipe = os.path.join(os.environ.get("ROS_HOME", "/tmp"), "poinsot_pipe.yaml")
+        os.mkfifo(pipe)
+        self.addCleanup(os.remove, pipe)
+        self.refuse(lambda: within_seconds(lambda: self.load_scene(pipe)), pipe, "is a FIFO (named pipe)",
+                    "expected a regular file")
+        self.refuse(lambda: within_seconds(lambda: self.load_scene("/dev/zero")), "/dev/zero",
+                    "is a character device", "expected a regular file")
+        self.assertTrue(within_seconds(lambda: self.set_method(BODY, "rk4", 0.01)).success)
 
     def test_asked_for_in_a_hurry_the_last_word_counts(self):
         segment = self.states.last().segment

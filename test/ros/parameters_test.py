@@ -105,7 +105,10 @@ class ParametersTest(unittest.TestCase):
     def test_scene_file(self):
         missing = os.path.join(self.directory, "missing.yaml")
         self.refused("a missing file", {"scene_file": missing}, [missing, "No such file"])
-        self.refused("a directory", {"scene_file": self.directory}, [self.directory, "cannot be read"])
+        self.refused("a directory", {"scene_file": self.directory}, [self.directory, "is a directory"])
+        pipe = os.path.join(self.directory, "pipe.yaml")
+        os.mkfifo(pipe)
+        self.refused("a FIFO", {"scene_file": pipe}, [pipe, "is a FIFO"])
         self.refused("a number", {"scene_file": 7}, ["~scene_file", "7", "path"])
         self.refused("an empty path", {"scene_file": ""}, ["cannot be read"])
 

@@ -34,7 +34,7 @@ std::string messageOf(const std::string& path) {
 TEST(File, ThatCannotBeRead) {
   EXPECT_EQ(messageOf("/nowhere/spin.yaml").rfind("/nowhere/spin.yaml: cannot be read, No such file", 0), 0u)
       << messageOf("/nowhere/spin.yaml");
-  EXPECT_EQ(messageOf("/tmp").rfind("/tmp: cannot be read, Is a directory", 0), 0u) << messageOf("/tmp");
+  EXPECT_EQ(messageOf("/tmp").rfind("/tmp: is a directory; expected a regular file", 0), 0u) << messageOf("/tmp");
 }
 
 TEST(File, WithoutAScene) {
@@ -46,8 +46,8 @@ TEST(File, WithoutAScene) {
 }
 
 TEST(File, OfSeveralDocuments) {
-  expectRefused("bodies: [" + kBody + "]\n---\nbodies: []\n", 0, "",
-                {"2 YAML documents", "allowed: one YAML document"});
+  expectRefused("bodies: [" + kBody + "]\n---\nbodies: []\n", 2, "",
+                {"a second YAML document", "allowed: one YAML document"});
   EXPECT_NO_THROW(read("%YAML 1.2\n---\nbodies: [" + kBody + "]\n...\n"));
 }
 

@@ -27,6 +27,9 @@ struct ReadOptions {
   std::optional<double> horizon;
 };
 
+/** The tree of a file that holds one YAML document, within the limits of doc/scene_file.md. Throws Error. */
+YAML::Node readDocument(const std::string& path);
+
 /** Reads and validates a scene file, doc/scene_file.md. Throws Error. */
 Scene readFile(const std::string& path, const ReadOptions& options = {});
 
