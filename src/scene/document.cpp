@@ -13,9 +13,9 @@
 namespace poinsot::scene {
 namespace {
 
-const char* const kAllowed = "; allowed: one YAML document";
+const char* const kOneDocument = "; allowed: one YAML document";
 
-std::string at(const std::string& source, const YAML::Mark& mark) {
+std::string placeIn(const std::string& source, const YAML::Mark& mark) {
   return source + (mark.is_null() ? "" : ":" + std::to_string(mark.line + 1));
 }
 
@@ -79,22 +79,22 @@ class Inspection : public YAML::EventHandler {
   [[noreturn]] void refuseSecond(const YAML::Mark& mark) const {
     const std::string found = restOfLine(text_, mark);
     const bool is_document = mark.column == 0 && found.compare(0, 3, "---") == 0;
-    throw Error(at(source_, mark) + ": " +
+    throw Error(placeIn(source_, mark) + ": " +
                 (is_document ? "a second YAML document" : "\"" + shortened(found) + "\" outside of the YAML document") +
-                kAllowed);
+                kOneDocument);
   }
 
   void count(const YAML::Mark& mark, std::size_t values) {
     values_ += values;
     if (values_ <= kMostValues) return;
-    throw Error(at(source_, mark) + ": more than " + std::to_string(kMostValues) +
+    throw Error(placeIn(source_, mark) + ": more than " + std::to_string(kMostValues) +
                 " values and keys, those behind an alias counted at each use; allowed: up to " +
                 std::to_string(kMostValues));
   }
 
   void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (open_.size() == kMostNested) {
-      throw Error(at(source_, mark) + ": more than " + std::to_string(kMostNested) +
+      throw Error(placeIn(source_, mark) + ": more than " + std::to_string(kMostNested) +
                   " lists and maps within each other; allowed: up to " + std::to_string(kMostNested));
     }
     open_.push_back({anchor, values_});
@@ -130,7 +130,7 @@ YAML::Node parseDocument(const std::string& text, const std::string& source) {
     parser.HandleNextDocument(inspection);
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw Error(at(source, error.mark) + ": not YAML, " + error.msg + kAllowed);
+    throw Error(placeIn(source, error.mark) + ": not YAML, " + error.msg + kOneDocument);
   }
 }
 
