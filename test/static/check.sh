@@ -50,7 +50,7 @@ mapfile -d '' -t all < <(package_files)
 code=() scripts=() python=()
 for file in "${all[@]}"; do
   read -r -n 60 first < "$file" 2> /dev/null || true
-  case "$file" in
+  case "${file##*/}" in
     *.cpp | *.h) code+=("$file") ;;
     *.sh) scripts+=("$file") ;;
     *.py) python+=("$file") ;;
