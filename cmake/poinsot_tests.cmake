@@ -5,6 +5,8 @@
 #     A test program of Google Test that needs no ROS graph.
 #   poinsot_rostest(FILE TIER quick|long [DEPENDS TARGET...] [ARGS NAME:=VALUE...] [ALONE | ALL_CORES])
 #     A rostest file. Its master and, where it has one, its display are its own.
+#   poinsot_launch_files(DIRECTORY TIER quick|long [DEPENDS TARGET...])
+#     The test launch_files: roslaunch can read the launch files of a directory, and finds what they need.
 #   poinsot_script(NAME TIER quick|long COMMAND PROGRAM [ARGUMENT...] [DEPENDS TARGET...] [ALONE | ALL_CORES] [STAGE NAME])
 #     A program that prints a line "PASS  words" or "FAIL  words" for each check and, last, "N passed, M failed".
 #
@@ -88,6 +90,16 @@ function(poinsot_rostest file)
   catkin_run_tests_target(rostest test_${name}.test rostest-test_${name}.xml DEPENDENCIES ${arg_DEPENDS}
     COMMAND "\"${PYTHON_EXECUTABLE}\" /usr/bin/rostest \"--pkgdir=${PROJECT_SOURCE_DIR}\" --package=${PROJECT_NAME} --results-filename test_${name}.xml \"--results-base-dir=${CATKIN_TEST_RESULTS_DIR}\" \"${path}\" ${arguments}")
   poinsot_register(${name}.test _ctest_${PROJECT_NAME}_rostest_test_${name}.test TIER ${arg_TIER} STAGE rostest
+    SLOTS 1 DEPENDS ${arg_DEPENDS} ${arg_UNPARSED_ARGUMENTS})
+endfunction()
+
+# What roslaunch_add_file_check() of roslaunch does; with a blank in the path that makes a directory outside the package.
+function(poinsot_launch_files directory)
+  cmake_parse_arguments(arg "" "TIER" "DEPENDS" ${ARGN})
+  set(result roslaunch-check_${directory}.xml)
+  catkin_run_tests_target(roslaunch-check ${directory} ${result} DEPENDENCIES ${arg_DEPENDS}
+    COMMAND "\"${PYTHON_EXECUTABLE}\" \"${roslaunch_DIR}/../scripts/roslaunch-check\" -o \"${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/${result}\" \"${PROJECT_SOURCE_DIR}/${directory}\"")
+  poinsot_register(launch_files _ctest_${PROJECT_NAME}_roslaunch-check_${directory} TIER ${arg_TIER} STAGE rostest
     SLOTS 1 DEPENDS ${arg_DEPENDS} ${arg_UNPARSED_ARGUMENTS})
 endfunction()
 

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by the other scripts: where things are, and a shell in which Debian's ROS works.
 set -euo pipefail
 
@@ -25,6 +26,9 @@ usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"; }
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 bad_use() { printf '%s\n' "$*" >&2; exit 2; }
+
+# scene_names: what scenes/ holds, one a line.
+scene_names() { (cd "$root/scenes" && printf '%s\n' *.yaml | sed 's|\.yaml$||'); }
 
 # use_ccache: lets ccache, where it is installed, know a source file again in another copy of the package.
 use_ccache() {
@@ -123,6 +127,7 @@ start_display() {
     kill -0 "$display_pid" 2> /dev/null || fail "Xvfb does not start"
     sleep 0.1
   done
-  export DISPLAY=:$(cat "$number") LIBGL_ALWAYS_SOFTWARE=1
+  DISPLAY=:$(cat "$number")
+  export DISPLAY LIBGL_ALWAYS_SOFTWARE=1
   rm -f "$number"
 }

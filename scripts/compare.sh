@@ -24,7 +24,7 @@ while [ $# -gt 0 ]; do
 done
 case "$mode" in equal_cost | equal_step) ;; *) bad_use "compare.sh: --mode $mode is not equal_cost or equal_step" ;; esac
 [[ $out == *.png ]] || bad_use "compare.sh: --out $out does not end with .png"
-mkdir -p "$(dirname "$out")" && [ -w "$(dirname "$out")" ] || bad_use "compare.sh: cannot write $out"
+{ mkdir -p "$(dirname "$out")" && [ -w "$(dirname "$out")" ]; } 2> /dev/null || bad_use "compare.sh: cannot write $out"
 
 "$root/scripts/setup.sh" --pictures
 say "building"
@@ -32,7 +32,7 @@ build_package demo compare_scene
 enter_devel
 stay_on_loopback "$(free_port)"
 
-launch_pid= display_pid= log=$build/compare.log work=$(mktemp -d)
+launch_pid='' display_pid='' log=$build/compare.log work=$(mktemp -d)
 finish() {
   if [ -n "$launch_pid" ]; then
     kill -INT "$launch_pid" 2> /dev/null || true

@@ -10,7 +10,7 @@
 # Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-headless=no scene=dzhanibekov duration= screenshot=
+headless=no scene=dzhanibekov duration='' screenshot=''
 while [ $# -gt 0 ]; do
   case "$1" in
     --headless) headless=yes; shift ;;
@@ -39,7 +39,7 @@ case "$scene" in
   */* | *.yaml) file=$(realpath -m -- "$scene") what=scene_file:=$file ;;
   *) file=$root/scenes/$scene.yaml what=scene:=$scene ;;
 esac
-[ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+[ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(scene_names | paste -sd' ')"
 
 packages=()
 if [ $headless = yes ] || [ -n "$screenshot" ]; then packages=(--pictures); fi
@@ -61,7 +61,7 @@ if [ -z "$user_graph" ]; then
   stay_on_loopback "$port"
 fi
 
-rviz_args= launch_pid= display_pid= partial=
+rviz_args='' launch_pid='' display_pid='' partial=''
 finish() {
   if [ -n "$launch_pid" ]; then
     kill -INT "$launch_pid" 2> /dev/null || true

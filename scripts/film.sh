@@ -19,7 +19,7 @@
 # Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene. A film that fails leaves nothing.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-scene= out=$root/build/films seconds=10 from=0 speed=1 view=Overview size=1280x720 fps=25 picture=webp picture_width=800
+scene='' out=$root/build/films seconds=10 from=0 speed=1 view=Overview size=1280x720 fps=25 picture=webp picture_width=800
 while [ $# -gt 0 ]; do
   case "$1" in
     --out | --seconds | --from | --speed | --view | --size | --fps | --picture | --picture-width)
@@ -41,7 +41,7 @@ while [ $# -gt 0 ]; do
     *) [ -z "$scene" ] || bad_use "film.sh: one scene at a time, not $scene and $1"; scene=$1; shift ;;
   esac
 done
-[ -n "$scene" ] || bad_use "film.sh: which scene? There are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+[ -n "$scene" ] || bad_use "film.sh: which scene? There are: $(scene_names | paste -sd' ')"
 # positive WHAT VALUE
 positive() {
   { [[ $2 =~ ^[0-9]*\.?[0-9]+$ ]] && awk "BEGIN {exit !($2 > 0 && $2 < 1e4)}"; } ||
@@ -59,11 +59,11 @@ case "$scene" in
   */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) config=$root/rviz/demo.rviz ;;
   *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/$scene.rviz ;;
 esac
-[ -f "$file" ] || bad_use "film.sh: there is no scene $scene; there are: $(cd "$root/scenes" && ls ./*.yaml | sed 's|./||; s|\.yaml||' | paste -sd' ')"
+[ -f "$file" ] || bad_use "film.sh: there is no scene $scene; there are: $(scene_names | paste -sd' ')"
 out=$(realpath -m -- "$out")
 { mkdir -p "$out" && [ -w "$out" ]; } 2> /dev/null || bad_use "film.sh: cannot write into $out"
 
-work=$(mktemp -d) core_pid= launch_pid= display_pid= log=$root/build/film.log
+work=$(mktemp -d) core_pid='' launch_pid='' display_pid='' log=$root/build/film.log
 finish() {
   for pid in $launch_pid $core_pid; do
     kill -INT "$pid" 2> /dev/null || true

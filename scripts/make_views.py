@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes RViz's views of the scenes, rviz/<scene>.rviz, and demo.rviz and compare.rviz: make_views.py [DIRECTORY].
 
-Each is scripts/view_template.rviz with three cameras: Overview, which holds everything that the scene's markers reach in
+Each is scripts/view_template.rviz.in with three cameras: Overview, which holds everything that the scene's markers reach in
 its first seconds, in a window of 4 : 3 with room for the panel and on a full screen; Riding, which turns with the body;
 Along L, which looks down the angular momentum on the picture in world axes. In the latter two, which a scene of nothing
 but bodies does not have, the panel leaves out all but that picture. Where things are is asked of `simulate`, so
@@ -274,7 +274,7 @@ def view(recording, setting, ride):
         "current": indented(overview.replace("Name: Overview", "Name: Current View"), " " * 6, " " * 6),
         "saved": "\n".join(indented(one, " " * 6 + "- ", " " * 8) for one in saved),
     }
-    with open(os.path.join(ROOT, "scripts", "view_template.rviz")) as template:
+    with open(os.path.join(ROOT, "scripts", "view_template.rviz.in")) as template:
         text = template.read()
     for key, value in fields.items():
         text = text.replace("@%s@" % key, value)

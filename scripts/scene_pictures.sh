@@ -20,7 +20,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 named=${#scenes[@]}
-[ "$named" -gt 0 ] || mapfile -t scenes < <(cd "$root/scenes" && ls ./*.yaml | sed 's|^\./||; s|\.yaml$||')
+[ "$named" -gt 0 ] || mapfile -t scenes < <(scene_names)
 mkdir -p "$out"
 
 # at SCENE: the simulation time at which its picture tells most [s].
@@ -49,7 +49,7 @@ at() {
 enter_devel
 stay_on_loopback "$(free_port)"
 
-launch_pid= display_pid= log=$build/scene_pictures.log raw=$(mktemp --suffix=.png)
+launch_pid='' display_pid='' log=$build/scene_pictures.log raw=$(mktemp --suffix=.png)
 config=$(mktemp --suffix=.rviz)
 end_launch() {
   [ -n "$launch_pid" ] || return 0

@@ -72,7 +72,7 @@ rm -rf "$build/ctest.xml" "$build/test_results"
 run() {
   # Two slots a core: a test that computes takes two of them, one that mostly waits takes one (cmake/poinsot_tests.cmake).
   ctest --test-dir "$build" --parallel $((2 * $(nproc))) --output-junit "$build/ctest.xml" \
-    -R "^($(sed 's/[.]/[.]/g' <<< "$names" | paste -sd '|'))\$" > "$build/ctest.log" 2>&1 &
+    -R "^($(paste -sd '|' <<< "${names//./[.]}"))\$" > "$build/ctest.log" 2>&1 &
   local pid=$!
   tail -n +1 --pid=$pid -f "$build/ctest.log" |
     sed -uE '/^ *[0-9]+\/[0-9]+ Test/!d; s/_ctest_poinsot_(gtest_|rostest_test_|roslaunch-check_)//' || true

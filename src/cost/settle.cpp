@@ -21,8 +21,9 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
   if (!body.effects.empty()) {
     out += "verified by step refinement " + shown(choice.verified_error) + " rad";
     if (!std::isfinite(choice.verified_error)) {
-      return out.substr(0, out.rfind("; ")) + "; not verified: that takes too many steps, or the motion is lost; cost " +
-             shown(choice.cost) + " CPU s per simulated s";
+      return out.substr(0, out.rfind("; ")) +
+             "; not verified: that takes too many steps, or the motion is lost; cost " + shown(choice.cost) +
+             " CPU s per simulated s";
     }
     if (choice.verified_error > wish.error) out += ", which is as near as doubles come: the motion is that sensitive";
   } else {

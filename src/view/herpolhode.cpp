@@ -11,7 +11,7 @@
 namespace poinsot::view {
 namespace {
 
-constexpr double kWholeTurn = 2 * kPi;  // rad
+constexpr double kWholeTurn = 2 * kPi;   // rad
 constexpr int kPiecesPerTurn = 8;        // at least, of the body about L: from there on pieces are halved
 constexpr int kPiecesPerHalfPeriod = 8;  // at least
 constexpr int kMostHalvings = 12;

@@ -125,8 +125,8 @@ TEST(Rooms, aStrayIncludeWouldBeCaught) {
   EXPECT_TRUE(forbiddenInView("poinsot/cost/choice.h"));
   EXPECT_TRUE(forbiddenInCost("poinsot/view/curve.h"));
   EXPECT_FALSE(forbiddenInCost("poinsot/scene/scene.h"));
-  for (const char* bad :
-       {"poinsot/view/curve.h", "poinsot/scene/scene.h", "poinsot/cost/choice.h", "yaml-cpp/yaml.h", "../view/even_spread.h"}) {
+  for (const char* bad : {"poinsot/view/curve.h", "poinsot/scene/scene.h", "poinsot/cost/choice.h", "yaml-cpp/yaml.h",
+                          "../view/even_spread.h"}) {
     EXPECT_TRUE(forbiddenInCore(bad)) << bad;
   }
   for (const char* bad : {"poinsot/core/motion.h", "poinsot/view/curve.h", "poinsot/scene/scene.h", "../core/x.h"}) {

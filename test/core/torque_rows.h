@@ -11,8 +11,8 @@ namespace poinsot {
 struct TorqueRow {
   std::string id;
   std::string note;
-  std::string body;  ///< as in a scene, without name and method: `inertia: …, effects: […]`
-  double t;          ///< s
+  std::string body;                         ///< as in a scene, without name and method: `inertia: …, effects: […]`
+  double t;                                 ///< s
   Eigen::Quaternion<long double> attitude;  ///< as the scene's axes have it; 25 digits of the file
   Eigen::Matrix<long double, 3, 1> omega;   ///< rad/s
   double cond_rad, cond_omega;              ///< what a change of an input by 2⁻⁵³ makes; Ω relative

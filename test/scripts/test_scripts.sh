@@ -105,7 +105,7 @@ expect "rosrun finds the programs of a build in the package's own directory" 0 '
 
 # A second demo, on a display, in a shell that has sourced ROS, whose RViz crashes.
 crash() {
-  local listener demo_pid pid= port code log=$work/second.log
+  local listener demo_pid pid='' port code log=$work/second.log
   python3 -c 'import socket, time
 s = socket.socket(); s.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1); s.bind(("127.0.0.1", 11311)); s.listen(); time.sleep(300)' &
   listener=$!

@@ -37,6 +37,10 @@ class TemporaryFile {
 
 }  // namespace
 
+std::string shellWord(const std::string& path) {
+  return '"' + path + '"';
+}
+
 Outcome runProgram(const std::string& command_line, const std::string& input) {
   const TemporaryFile in(input), out, err;
   const int status =

@@ -10,6 +10,9 @@ struct Outcome {
   std::string out, err;
 };
 
+/** A path as one word of a shell command line, also between single quotes: it may hold a blank. */
+std::string shellWord(const std::string& path);
+
 /** Runs a shell command line with `input` on stdin, as a user would. */
 Outcome runProgram(const std::string& command_line, const std::string& input);
 

@@ -10,10 +10,10 @@
 namespace poinsot {
 namespace {
 
-const std::string kFlip = SCENES_DIR "/dzhanibekov.yaml";
+const std::string kFlip = shellWord(SCENES_DIR "/dzhanibekov.yaml");
 
 Outcome compareScene(const std::string& arguments) {
-  return runProgram(std::string(COMPARE_SCENE) + " " + arguments, "");
+  return runProgram(shellWord(COMPARE_SCENE) + " " + arguments, "");
 }
 
 /** A scene file that is gone with its object. */

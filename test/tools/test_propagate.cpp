@@ -18,7 +18,7 @@ const std::string kRow = "a,1,2,3,1,0,0,0,0.01,1,0.02,2.5\n";
 const std::string kOutputHeader = "id,t,qw,qx,qy,qz,O1,O2,O3\n";
 
 Outcome propagate(const std::string& arguments, const std::string& input) {
-  return runProgram(std::string(PROPAGATE) + " " + arguments, input);
+  return runProgram(shellWord(PROPAGATE) + " " + arguments, input);
 }
 
 Outcome rk4(const std::string& input) {
@@ -176,7 +176,7 @@ TEST(Propagate, hexadecimalNumbersAreExact) {
 }
 
 TEST(Propagate, decimalPointWhateverTheLocale) {
-  const std::string command = std::string("LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 ") + PROPAGATE;
+  const std::string command = "LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 " + shellWord(PROPAGATE);
   EXPECT_EQ(runProgram(command + " --method rk4 --step 0.01", kHeader + kRow).out, rk4(kHeader + kRow).out);
 }
 
@@ -269,7 +269,7 @@ TEST(Propagate, badUse) {
   expectRefused(propagate("--method rk4 --step 0.1 --step 0.2", input), {"step"});
   expectRefused(propagate("--metod rk4 --step 0.1", input), {"--metod"});
   expectRefused(propagate("--method rk4 --step 0.1 file.csv", input), {"file.csv"});
-  expectRefused(runProgram(std::string(PROPAGATE) + " --method rk4 --step 0.1 < /", ""), {"cannot read"});
+  expectRefused(runProgram(shellWord(PROPAGATE) + " --method rk4 --step 0.1 < /", ""), {"cannot read"});
 }
 
 TEST(Propagate, theClosedFormIsTheDefault) {

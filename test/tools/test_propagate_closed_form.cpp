@@ -78,7 +78,7 @@ TEST_P(PropagateInClosedForm, everyRow) {
   ASSERT_EQ(truth.size(), file.rows);
   // With the newest instructions of this processor, and as on older ones.
   for (const char* level : {"", "POINSOT_SIMD=x86-64-v3 ", "POINSOT_SIMD=baseline "}) {
-    const Outcome outcome = runProgram(std::string(level) + PROPAGATE, hexadecimalContentOf(file));
+    const Outcome outcome = runProgram(level + shellWord(PROPAGATE), hexadecimalContentOf(file));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const std::vector<OutputRow> rows = parsed(outcome.out);
@@ -96,11 +96,11 @@ TEST_P(PropagateInClosedForm, everyRow) {
 }
 
 TEST_P(PropagateInClosedForm, decimalNumbersGiveTheSameBytes) {
-  const Outcome hexadecimal = runProgram(PROPAGATE, hexadecimalContentOf(GetParam()));
-  const Outcome decimal = runProgram(PROPAGATE, contentOf(GetParam()));
+  const Outcome hexadecimal = runProgram(shellWord(PROPAGATE), hexadecimalContentOf(GetParam()));
+  const Outcome decimal = runProgram(shellWord(PROPAGATE), contentOf(GetParam()));
   EXPECT_EQ(decimal.exit_code, 0) << decimal.err;
   EXPECT_EQ(decimal.out, hexadecimal.out);
-  EXPECT_EQ(runProgram(std::string(PROPAGATE) + " --method closed_form", contentOf(GetParam())).out, decimal.out);
+  EXPECT_EQ(runProgram(shellWord(PROPAGATE) + " --method closed_form", contentOf(GetParam())).out, decimal.out);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, PropagateInClosedForm, testing::Values(kPublished, kOthers),

@@ -32,8 +32,9 @@ std::string oneBody(const std::string& more) {
 }
 
 Outcome sceneCost(const std::string& arguments) {
-  return runProgram("POINSOT_COSTS=" + ::testing::TempDir() + "scene_cost_test_costs.yaml " SCENE_COST " " + arguments,
-                    "");
+  return runProgram(
+      "POINSOT_COSTS=" + ::testing::TempDir() + "scene_cost_test_costs.yaml " + shellWord(SCENE_COST) + " " + arguments,
+      "");
 }
 
 using Row = std::map<std::string, std::string>;

@@ -48,8 +48,8 @@ class SimulateTorques : public testing::Test {
     std::ofstream(directory_ / "scene.yaml") << scene;
     char time[32];
     std::snprintf(time, sizeof time, "%.17g", duration);
-    return runProgram(before + " " + SIMULATE + " " + (directory_ / "scene.yaml").string() + " --duration " + time +
-                          " --rate 10 --csv -",
+    return runProgram(before + " " + shellWord(SIMULATE) + " " + (directory_ / "scene.yaml").string() + " --duration " +
+                          time + " --rate 10 --csv -",
                       "");
   }
 

@@ -3,7 +3,7 @@
 # Usage: test/workspace/test_workspace.sh [--full]
 #   --full   all of Poinsot's own tests too, not only one of each kind
 # One line a check, the last line counts them; exit 1 when one fails, and then the workspace stays for looking at.
-source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
 
 full=no
 case "${1:-}" in
@@ -14,45 +14,20 @@ case "${1:-}" in
 esac
 
 workspace=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_workspace.XXXXXX")
-logs=$workspace/logs passed=0 failures=0 launch_pid=
+launch_pid=''
 devel=$workspace/devel/setup.bash install=$workspace/install/setup.bash
-mkdir -p "$logs" "$workspace/src" "$workspace/home"
-# Neither the user's ~/.ros, nor another workspace that the shell has sourced, nor another graph takes part.
-export HOME=$workspace/home
-for name in $(compgen -e | grep -E '^(ROS_|CMAKE_PREFIX_PATH|LD_LIBRARY_PATH|PKG_CONFIG_PATH|CATKIN_)'); do unset "$name"; done
-stay_on_loopback "$(free_port)"
+mkdir "$workspace/src"
+start_checks "$workspace"
 
 stop_launch() {
   [ -n "$launch_pid" ] || return 0
   kill -INT "$launch_pid" 2> /dev/null || true
   wait "$launch_pid" 2> /dev/null || true
-  launch_pid=
+  launch_pid=''
 }
-say_result() {
-  [ "$failures" -eq 0 ] || echo "the workspace and its logs are in $workspace"
-  echo "$passed passed, $failures failed"
-}
-finish() {
-  stop_launch
-  [ "$failures" -gt 0 ] || rm -rf "$workspace"
-}
-trap finish EXIT
-trap 'failures=1; exit 130' INT TERM  # failures: the logs stay
+trap stop_launch EXIT
+trap 'exit 130' INT TERM
 
-# check WORDS COMMAND...: runs the command in the workspace and says how it went.
-check() {
-  local words=$1 log
-  shift
-  log=$logs/$(printf %s "$words" | tr -c 'A-Za-z0-9\n' _).log
-  if (cd "$workspace" && "$@") > "$log" 2>&1; then
-    echo "PASS  $words"
-    passed=$((passed + 1))
-  else
-    echo "FAIL  $words ($log)"
-    tail -n 12 "$log" | sed 's/^/        /'
-    failures=$((failures + 1))
-  fi
-}
 # in_space SETUP COMMAND...: with that space sourced and no other. A sourced setup.bash takes the arguments that it sees
 # for its own: inside the function it sees none.
 # shellcheck disable=SC2016
@@ -60,21 +35,12 @@ enter='setup=$0; enter() { source "$setup"; }; enter; exec "$@"'
 in_space() { bash -c "$enter" "$@"; }
 make_workspace() { catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@"; }
 
-copy_package() {
-  local to=$workspace/src/poinsot
-  mkdir -p "$to"
-  if git -C "$root" rev-parse > /dev/null 2>&1; then
-    (cd "$root" && git ls-files -z -co --exclude-standard | while IFS= read -r -d '' file; do
-      [ ! -f "$file" ] || printf '%s\0' "$file"  # listed but deleted
-    done | tar --null -T - -cf -) | tar -C "$to" -xf -
-  else
-    (cd "$root" && tar --exclude=./build --exclude=./bin --exclude=./.git -cf - .) | tar -C "$to" -xf -
-  fi
-  cp -r "$to/test/workspace/neighbour" "$workspace/src/poinsot_neighbour"
+fill_workspace() {
+  copy_package "$workspace/src/poinsot" && cp -r "$root/test/workspace/neighbour" "$workspace/src/poinsot_neighbour"
 }
-check "the package is copied into a workspace" copy_package
+check "the package is copied into a workspace" fill_workspace
 check "catkin_make" make_workspace
-[ "$failures" -eq 0 ] || { say_result; exit 1; }
+[ "$failures" -eq 0 ] || { end_checks || exit 1; }
 no_warning() { ! grep -B1 -A6 'CMake Warning' "$logs/catkin_make.log"; }
 check "without a warning from CMake" no_warning
 check "the neighbour runs" in_space "$devel" rosrun poinsot_neighbour spin
@@ -147,5 +113,4 @@ build_against_install() {
 }
 check "the neighbour builds against the install space alone, and runs" build_against_install
 
-say_result
-[ "$failures" -eq 0 ]
+end_checks

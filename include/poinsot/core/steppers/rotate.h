@@ -46,8 +46,10 @@ inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
   rotate(state, theta, halfTurn(theta));
 }
 
-/** exp(−θ)Λ: Λ as seen from the body after it has turned by θ. Called out of line, a step of rkmk4 takes half as long again. */
-[[gnu::always_inline]] inline Eigen::Vector3d turnedBack(const Eigen::Vector3d& momentum, const Eigen::Vector3d& theta) {
+/** exp(−θ)Λ: Λ as seen from the body after it has turned by θ. Called out of line, a step of rkmk4 takes half as long
+ * again. */
+[[gnu::always_inline]] inline Eigen::Vector3d turnedBack(const Eigen::Vector3d& momentum,
+                                                         const Eigen::Vector3d& theta) {
   const HalfTurn turn = halfTurn(theta);
   const Eigen::Vector3d once = theta.cross(momentum);
   return momentum + (0.5 * turn.s * turn.s) * theta.cross(once) - (turn.c * turn.s) * once;

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# Looks at the package's files: format, shell and Python syntax, links, data files, places that only one machine has.
+# Each check is also run on a broken file, where it must fail. The last line reads "N passed, M failed".
+source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+
+# result WORDS GOOD: counts a check, and prints what it said ($work/said) when it failed.
+result() {
+  if [ "$2" = yes ]; then
+    echo "PASS  $1"
+    passed=$((passed + 1))
+  else
+    echo "FAIL  $1"
+    head -n 40 "$work/said" | sed 's/^/        /'
+    failed=$((failed + 1))
+  fi
+}
+
+# Each check takes names of files relative to the present directory, and says nothing where all is well.
+format() { clang-format --dry-run -Werror --style="file:$root/.clang-format" "$@"; }
+shell() { shellcheck -x -P SCRIPTDIR "$@"; }
+files() { /usr/bin/python3 -B "$root/test/static/check_files.py" "$@"; }
+
+# holds WORDS COMMAND...: the check finds nothing.
+holds() {
+  local words=$1 good=yes
+  shift
+  "$@" > "$work/said" 2>&1 || good=no
+  [ ! -s "$work/said" ] || good=no
+  result "$words" $good
+}
+
+# notices WORDS PATTERN FILE CONTENT COMMAND...: of a file with that content, the check fails and says what matches.
+notices() {
+  local words=$1 pattern=$2 file=$3 content=$4 good=no
+  shift 4
+  mkdir -p "$work/broken"
+  printf '%b' "$content" > "$work/broken/$file"
+  (cd "$work/broken" && "$@" "$file") > "$work/said" 2>&1 || good=yes
+  grep -qE -- "$pattern" "$work/said" || good=no
+  result "notices $words" $good
+}
+
+cd "$root" || exit 1
+mapfile -d '' -t all < <(package_files)
+[ ${#all[@]} -gt 0 ] || fail "check.sh: found no files below $root"
+code=() scripts=() python=()
+for file in "${all[@]}"; do
+  read -r -n 60 first < "$file" 2> /dev/null || true
+  case "${file##*/}" in
+    *.cpp | *.h) code+=("$file") ;;
+    *.sh) scripts+=("$file") ;;
+    *.py) python+=("$file") ;;
+    *.*) ;;
+    *)
+      case "$first" in
+        '#!'*bash | '#!'*/sh) scripts+=("$file") ;;
+        '#!'*python3) python+=("$file") ;;
+      esac ;;
+  esac
+done
+
+holds "C++ is formatted as .clang-format says (${#code[@]} files)" format "${code[@]}"
+holds "shellcheck finds nothing (${#scripts[@]} files)" shell "${scripts[@]}"
+holds "Python is valid (${#python[@]} files)" files python "${python[@]}"
+holds "relative links lead to files and headings" files links "${all[@]}"
+holds "YAML and XML files are well-formed" files data "${all[@]}"
+holds "no file names a place that only one machine has" files places "${all[@]}"
+
+notices "code that is not formatted" 'broken.cpp:1:.*-Wclang-format-violations' broken.cpp 'int  f( );\n' format
+# shellcheck disable=SC2016  # it is the content of a file
+notices "an unquoted variable" 'SC2086' broken.sh '#!/bin/bash\nrm $1\n' shell
+notices "an error of syntax in a shell script" 'SC1' broken.sh '#!/bin/bash\nif true; then\n' shell
+notices "an error of syntax in Python" 'broken.py:2: ' broken.py 'x = 1\nif x\n' files python
+notices "a link to a file that does not exist" 'broken.md:3: .*nowhere.md' broken.md 'a\n\n[b](nowhere.md)\n' files links
+notices "a picture that does not exist" 'broken.md:1: .*nowhere.png' broken.md '![b](nowhere.png)\n' files links
+notices "a link to a heading that does not exist" 'broken.md:3: .*no heading.*#c' broken.md '# A b\n[fine](#a-b)\n[b](#c)\n' files links
+notices "a scene that is not YAML" 'broken.yaml:2: ' broken.yaml 'a: 1\nb: ]\n' files data
+notices "a view that is not YAML" 'broken.rviz:1: ' broken.rviz 'a: b: c\n' files data
+notices "a launch file that is not XML" 'broken.launch:2: ' broken.launch '<launch>\n<node></launch>\n' files data
+notices "a test file that is not XML" 'broken.test:1: ' broken.test 'launch\n' files data
+notices "a directory of one user" 'broken.cpp:2: .*/home/' broken.cpp '\n"/ho''me/someone/poinsot"\n' files places
+notices "a web address outside the list" 'broken.txt:1: .*registry.invalid' broken.txt 'https:/''/registry.invalid/simple\n' files places
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
