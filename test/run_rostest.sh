@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs rostest, for cmake/poinsot_tests.cmake.  Usage: run_rostest.sh RESULTS_DIRECTORY ARGUMENT_OF_ROSTEST ...
 # rostest tells a test where its result goes in a text that it splits at blanks: it gets a link without any.
-source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
+# The environment is the one that catkin made, so scripts/common.sh has no part in it.
+set -euo pipefail
 
 [[ ${TMPDIR:-} != *[[:space:]]* ]] || unset TMPDIR
 link=$(mktemp -d)
