@@ -88,7 +88,7 @@ function(poinsot_rostest file)
   string(REPLACE "/" "_" name ${name})
   string(REPLACE ";" " " arguments "${arg_ARGS}")
   catkin_run_tests_target(rostest test_${name}.test rostest-test_${name}.xml DEPENDENCIES ${arg_DEPENDS}
-    COMMAND "\"${PYTHON_EXECUTABLE}\" /usr/bin/rostest \"--pkgdir=${PROJECT_SOURCE_DIR}\" --package=${PROJECT_NAME} --results-filename test_${name}.xml \"--results-base-dir=${CATKIN_TEST_RESULTS_DIR}\" \"${path}\" ${arguments}")
+    COMMAND "\"${PROJECT_SOURCE_DIR}/test/run_rostest.sh\" \"${CATKIN_TEST_RESULTS_DIR}\" \"--pkgdir=${PROJECT_SOURCE_DIR}\" --package=${PROJECT_NAME} --results-filename test_${name}.xml \"${path}\" ${arguments}")
   poinsot_register(${name}.test _ctest_${PROJECT_NAME}_rostest_test_${name}.test TIER ${arg_TIER} STAGE rostest
     SLOTS 1 DEPENDS ${arg_DEPENDS} ${arg_UNPARSED_ARGUMENTS})
 endfunction()

@@ -69,6 +69,7 @@ stage building compile
 
 say "testing"
 rm -rf "$build/ctest.xml" "$build/test_results"
+: > "$build/ctest.log"  # shown while it grows
 run() {
   # Two slots a core: a test that computes takes two of them, one that mostly waits takes one (cmake/poinsot_tests.cmake).
   ctest --test-dir "$build" --parallel $((2 * $(nproc))) --output-junit "$build/ctest.xml" \

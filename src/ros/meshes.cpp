@@ -11,6 +11,23 @@ namespace poinsot::node {
 namespace {
 
 const std::string kPackage = "package://";
+const std::string kFile = "file://";
+
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/** package://<name>/<path> */
+struct PackageFile {
+  explicit PackageFile(const std::string& mesh) {
+    const std::string rest = mesh.substr(kPackage.size());
+    const std::size_t slash = rest.find('/');
+    package = rest.substr(0, slash);
+    folder = ros::package::getPath(package);
+    path = folder + rest.substr(slash);
+  }
+  std::string package, folder, path;  ///< folder: empty where there is no such package
+};
 
 [[noreturn]] void refuse(const scene::Appearance& appearance, const std::string& problem) {
   throw scene::Error(appearance.place + appearance.mesh + ": " + problem +
@@ -21,16 +38,25 @@ const std::string kPackage = "package://";
 
 void requireMeshes(const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies) {
-    if (!body.appearance || body.appearance->mesh.compare(0, kPackage.size(), kPackage) != 0) continue;
-    const std::string rest = body.appearance->mesh.substr(kPackage.size());
-    const std::size_t slash = rest.find('/');
-    const std::string package = rest.substr(0, slash);
-    const std::string folder = ros::package::getPath(package);
-    if (folder.empty()) refuse(*body.appearance, "there is no package " + package + " in ROS_PACKAGE_PATH");
-    const std::string file = folder + rest.substr(slash);
+    if (!body.appearance || !startsWith(body.appearance->mesh, kPackage)) continue;
+    const PackageFile file(body.appearance->mesh);
+    if (file.folder.empty()) refuse(*body.appearance, "there is no package " + file.package + " in ROS_PACKAGE_PATH");
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) refuse(*body.appearance, "there is no file " + file);
+    if (!std::filesystem::is_regular_file(file.path, ignored))
+      refuse(*body.appearance, "there is no file " + file.path);
   }
+}
+
+std::string meshAddress(const std::string& mesh) {
+  const std::string path = startsWith(mesh, kPackage) ? PackageFile(mesh).path
+                           : startsWith(mesh, kFile)  ? mesh.substr(kFile.size())
+                                                      : "";
+  if (path.find(' ') == std::string::npos) return mesh;
+  std::string address = kFile;
+  for (const char c : path) {
+    address += c == ' ' ? "%20" : c == '%' ? "%25" : std::string(1, c);
+  }
+  return address;
 }
 
 }  // namespace poinsot::node

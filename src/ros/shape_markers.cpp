@@ -1,6 +1,7 @@
 #include "poinsot/ros/shape_markers.h"
 
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/meshes.h"
 #include "poinsot/ros/palette.h"
 
 namespace poinsot::node {
@@ -54,7 +55,7 @@ bool bringsColours(const std::string& mesh) {
 visualization_msgs::Marker markerOf(const scene::Appearance& appearance) {
   visualization_msgs::Marker marker;
   marker.type = visualization_msgs::Marker::MESH_RESOURCE;
-  marker.mesh_resource = appearance.mesh;
+  marker.mesh_resource = meshAddress(appearance.mesh);
   marker.pose.position = toPoint(appearance.position);
   marker.pose.orientation = toQuaternion(appearance.orientation);
   marker.scale = toVector3(appearance.scale);
