@@ -41,7 +41,7 @@ Assembly ofOneDensity(std::vector<Solid> parts, double mass) {
 }
 
 Solid solid(SolidType type, const Eigen::Vector3d& size, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero(),
-            const Eigen::Quaterniond& orientation = Eigen::Quaterniond::Identity()) {
+            const Quaternion& orientation = Eigen::Quaterniond::Identity()) {
   return {type, size, 1, centre, orientation};
 }
 
@@ -163,7 +163,7 @@ Assembly twoCylinders(double radius, double height, double second_radius, double
                       mass);
 }
 
-Assembly equivalentBox(const Eigen::Vector3d& moments, const Eigen::Quaterniond& axes) {
+Assembly equivalentBox(const Eigen::Vector3d& moments, const Quaternion& axes) {
   const Eigen::Vector3d ratios = moments / moments.maxCoeff();
   const double sum = ratios.sum();
   Eigen::Vector3d size;

@@ -18,7 +18,7 @@ using closed_form::Phases;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-closed_form::Start checked(const Eigen::Vector3d& moments, const Eigen::Quaterniond& q, const Eigen::Vector3d& omega) {
+closed_form::Start checked(const Eigen::Vector3d& moments, const Quaternion& q, const Eigen::Vector3d& omega) {
   PrincipalInertia::fromMoments(moments);
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(omega[i])) {
@@ -39,8 +39,7 @@ void checkTime(const char* what, double t) {
 
 }  // namespace
 
-ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
-                       const Eigen::Vector3d& omega_body)
+ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude, const Eigen::Vector3d& omega_body)
     : moments_(moments), attitude_(attitude), omega_body_(omega_body) {
   const closed_form::Start start = checked(moments, attitude, omega_body);
   if (closed_form::isOrdinary(start)) {
@@ -65,19 +64,11 @@ ClosedForm::State ClosedForm::at(double t) const {
   return state;
 }
 
-void ClosedForm::sample(double t0, double dt, Eigen::Ref<Samples> out) const {
-  double* columns[7];
-  for (int i = 0; i < 7; ++i) columns[i] = out.col(i).data();
-  if (closed_form::bestLevel().sample(constants_, t0, dt, out.rows(), columns)) return;
+void ClosedForm::sample(double t0, double dt, std::int64_t n, double* const columns[7]) const {
+  if (closed_form::bestLevel().sample(constants_, t0, dt, n, columns)) return;
   checkTime("the first time", t0);
   checkTime("the time from sample to sample", dt);
-  closed_form::sampleWide(start(), constants_, t0, dt, out.rows(), columns);
-}
-
-ClosedForm::Samples ClosedForm::sample(double t0, double dt, Eigen::Index n) const {
-  Samples out(n, 7);
-  sample(t0, dt, out);
-  return out;
+  closed_form::sampleWide(start(), constants_, t0, dt, n, columns);
 }
 
 ClosedForm::Regime ClosedForm::regime() const {

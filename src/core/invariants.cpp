@@ -1,5 +1,7 @@
 #include "poinsot/core/invariants.h"
 
+#include "kept_momentum.h"
+
 namespace poinsot {
 namespace {
 
@@ -11,7 +13,7 @@ double ratio(double difference, double reference) {
 
 Invariants invariantsOf(const Eigen::Vector3d& moments, const RotationState& state) {
   return {0.5 * state.momentum_body.dot(state.omegaBody(moments)), state.momentum_body.squaredNorm(),
-          state.momentumWorld()};
+          inlined::momentumWorld(state)};
 }
 
 double energyDrift(const Invariants& now, const Invariants& reference) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "half_turn.h"
 #include "poinsot/core/rotation.h"
 
 namespace poinsot {
@@ -56,8 +57,8 @@ bool principalAxesAreBodyAxes(const MotionSetup& setup) {
   return setup.inertia.axes().vec().isZero(0);
 }
 
-Eigen::Quaterniond principalAttitude(const MotionSetup& setup) {
-  return principalAxesAreBodyAxes(setup) ? setup.attitude : setup.attitude * setup.inertia.axes();
+Quaternion principalAttitude(const MotionSetup& setup) {
+  return principalAxesAreBodyAxes(setup) ? setup.attitude : Quaternion(setup.attitude * setup.inertia.axes());
 }
 
 Eigen::Vector3d principalOmega(const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body) {
@@ -86,6 +87,10 @@ TorquedState torquedStart(const MotionSetup& setup, const Torques& torques) {
 }
 
 }  // namespace
+
+Invariants MotionState::invariants() const {
+  return {kinetic_energy, momentum_world.squaredNorm(), momentum_world};
+}
 
 std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body) {
   if (omega_body.isZero(0)) return "";
@@ -165,9 +170,9 @@ bool Motion::conservesMomentum() const {
 double Motion::attitudeError(const MotionState& state) const {
   if (torqued_) return std::numeric_limits<double>::quiet_NaN();
   if (!grid_) return 0;
-  const Eigen::Quaterniond exact = exact_->at(state.time).attitude;
+  const Quaternion exact = exact_->at(state.time).attitude;
   return angleBetween(state.attitude,
-                      principal_axes_are_body_axes_ ? exact : exact * setup_.inertia.axes().conjugate());
+                      principal_axes_are_body_axes_ ? exact : Quaternion(exact * setup_.inertia.axes().conjugate()));
 }
 
 MotionState Motion::at(double t) {
@@ -184,7 +189,10 @@ MotionState Motion::at(double t) {
   }
   if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
   const ClosedForm::State state = exact_->at(t);
-  return describe(t, RotationState::fromOmega(moments, state.attitude, state.omega_body), state.omega_body);
+  RotationState principal;  // nothing steps it: it needs no momentum to keep
+  principal.attitude = state.attitude;
+  principal.momentum_body = moments.cwiseProduct(state.omega_body);
+  return describe(t, principal, state.omega_body);
 }
 
 void Motion::describeTorques(const TorquedState& principal, MotionState& out) const {

@@ -1,5 +1,9 @@
 #include "poinsot/core/rotation.h"
 
+#include <cmath>
+
+#include "half_turn.h"
+
 namespace poinsot {
 
 HalfTurn wideHalfTurn(const Eigen::Vector3d& theta) {
@@ -7,7 +11,13 @@ HalfTurn wideHalfTurn(const Eigen::Vector3d& theta) {
   return {std::cos(half), std::sin(half) / half};
 }
 
-Eigen::Vector3d logQuaternion(const Eigen::Quaterniond& q) {
+Quaternion expQuaternion(const Eigen::Vector3d& theta) {
+  const HalfTurn turn = halfTurn(theta);
+  const double half = 0.5 * turn.s;
+  return {turn.c, half * theta.x(), half * theta.y(), half * theta.z()};
+}
+
+Eigen::Vector3d logQuaternion(const Quaternion& q) {
   const double sign = q.w() < 0 ? -1.0 : 1.0;
   const double w = sign * q.w();
   const Eigen::Vector3d v = sign * q.vec();
@@ -26,7 +36,7 @@ Eigen::Vector3d logMatrix(const Eigen::Matrix3d& rotation) {
   return logQuaternion(Eigen::Quaterniond(rotation).normalized());
 }
 
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+double angleBetween(const Quaternion& a, const Quaternion& b) {
   const Eigen::Quaterniond d = a.conjugate() * b;
   return 2.0 * std::atan2(d.vec().stableNorm(), std::abs(d.w()));
 }

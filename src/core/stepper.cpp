@@ -4,18 +4,19 @@
 #include <cmath>
 #include <type_traits>
 
-#include "poinsot/core/steppers/buss2.h"
-#include "poinsot/core/steppers/buss3.h"
-#include "poinsot/core/steppers/buss4.h"
-#include "poinsot/core/steppers/cf4.h"
-#include "poinsot/core/steppers/dmv.h"
-#include "poinsot/core/steppers/lie_euler.h"
-#include "poinsot/core/steppers/midpoint.h"
-#include "poinsot/core/steppers/restore_energy.h"
-#include "poinsot/core/steppers/restore_momentum.h"
-#include "poinsot/core/steppers/rk4.h"
-#include "poinsot/core/steppers/rkmk4.h"
-#include "poinsot/core/steppers/splitting.h"
+#include "kept_momentum.h"
+#include "steppers/buss2.h"
+#include "steppers/buss3.h"
+#include "steppers/buss4.h"
+#include "steppers/cf4.h"
+#include "steppers/dmv.h"
+#include "steppers/lie_euler.h"
+#include "steppers/midpoint.h"
+#include "steppers/restore_energy.h"
+#include "steppers/restore_momentum.h"
+#include "steppers/rk4.h"
+#include "steppers/rkmk4.h"
+#include "steppers/splitting.h"
 
 namespace poinsot {
 namespace {
@@ -39,7 +40,7 @@ void scale(RotationState& state, int k) {
 void findKept(RotationState& state, const Eigen::Vector3d& moments, const steppers::EnergyKeeper& energy) {
   const Eigen::Vector3d kept = state.kept_momentum;
   const double kept_inverse_inertia = state.kept_inverse_inertia;
-  state.keepMomentum();
+  inlined::keepMomentum(state, inlined::momentumWorld(state));
   if ((state.kept_momentum - kept).squaredNorm() <= 1e-26 * kept.squaredNorm()) {
     state.kept_momentum = kept;
     state.kept_inverse_square = kept.isZero(0) ? 0 : 1 / kept.squaredNorm();

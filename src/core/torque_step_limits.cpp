@@ -58,7 +58,7 @@ class Trial {
 
 }  // namespace
 
-StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Eigen::Quaterniond& attitude,
+StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Quaternion& attitude,
                               const Eigen::Vector3d& omega_body, double step) {
   if (method.cuts_steps) return {};
   TorquedState start;

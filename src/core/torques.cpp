@@ -149,7 +149,7 @@ Eigen::Vector3d Torques::impulseWorld(double t) const {
   return t < 0 ? Eigen::Vector3d(-sum) : sum;
 }
 
-Eigen::Vector3d Torques::at(double t, const Constant& constant, const Eigen::Quaterniond& attitude,
+Eigen::Vector3d Torques::at(double t, const Constant& constant, const Quaternion& attitude,
                             const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const {
   Eigen::Vector3d torque = constant.body;
   if (has_world_) torque += attitude.conjugate() * constant.world;

@@ -10,22 +10,20 @@ namespace poinsot {
 
 using Real = long double;
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
-using Vector4 = Eigen::Matrix<Real, 4, 1>;
-using Quaternion = Eigen::Quaternion<Real>;
+using RealVector4 = Eigen::Matrix<Real, 4, 1>;
+using RealQuaternion = Eigen::Quaternion<Real>;
 
 /** b or −b, whichever is nearer to a. */
-inline Vector4 alignedWith(const Vector4& a, const Vector4& b) {
-  return a.dot(b) < 0 ? Vector4(-b) : b;
+inline RealVector4 alignedWith(const RealVector4& a, const RealVector4& b) {
+  return a.dot(b) < 0 ? RealVector4(-b) : b;
 }
 
 /** The angle of the rotation from a to b [rad], whatever their lengths and signs. */
-inline double angle(const Quaternion& a, const Quaternion& b) {
-  const Vector4 p = a.coeffs().stableNormalized(), q = alignedWith(p, b.coeffs().stableNormalized());
+template <class A, class B>
+double angle(const Eigen::QuaternionBase<A>& a, const Eigen::QuaternionBase<B>& b) {
+  const RealVector4 p = a.coeffs().template cast<Real>().stableNormalized();
+  const RealVector4 q = alignedWith(p, b.coeffs().template cast<Real>().stableNormalized());
   return static_cast<double>(4 * std::asin(std::min<Real>((p - q).norm() / 2, 1)));
-}
-
-inline double angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return angle(a.cast<Real>(), b.cast<Real>());
 }
 
 /** |a − b|/|a|; 0 when they are equal, also where both are infinite or zero. */

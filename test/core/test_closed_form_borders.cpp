@@ -30,10 +30,10 @@ void add(Bend& sum, const Vector& below, const Vector& middle, const Vector& abo
 
 Bend bend(const FreeBody& below, const FreeBody& middle, const FreeBody& above, double t) {
   const ClosedForm::State a = below.closedForm().at(t), b = middle.closedForm().at(t), c = above.closedForm().at(t);
-  const Vector4 q = b.attitude.cast<Real>().coeffs();
+  const RealVector4 q = b.attitude.cast<Real>().coeffs();
   Bend sum;
-  add<Vector4>(sum, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,
-               alignedWith(q, c.attitude.cast<Real>().coeffs()), Real(0.5));
+  add<RealVector4>(sum, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,
+                   alignedWith(q, c.attitude.cast<Real>().coeffs()), Real(0.5));
   add<Vector3>(sum, a.omega_body.cast<Real>(), b.omega_body.cast<Real>(), c.omega_body.cast<Real>(),
                b.omega_body.cast<Real>().norm());
   return sum;
@@ -120,10 +120,10 @@ RC_GTEST_PROP(ClosedFormBorders, ofRest, ()) {
   const double t = draw::sign() * draw::powerOfTen(-3, 0);
   const ClosedForm::State a = below.closedForm().at(t), b = middle.closedForm().at(t), c = above.closedForm().at(t);
   RC_ASSERT(b.omega_body.isZero(0));
-  const Vector4 q = b.attitude.cast<Real>().coeffs();
+  const RealVector4 q = b.attitude.cast<Real>().coeffs();
   Bend seen;
-  add<Vector4>(seen, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,
-               alignedWith(q, c.attitude.cast<Real>().coeffs()), Real(0.5));
+  add<RealVector4>(seen, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,
+                   alignedWith(q, c.attitude.cast<Real>().coeffs()), Real(0.5));
   RC_LOG() << above << "t = " << shown(t) << ": step " << seen.step << ", bend " << seen.bend << std::endl;
   RC_ASSERT(seen.bend <= 8e-15 + 100 * seen.step * seen.step);
 }

@@ -68,9 +68,9 @@ RC_GTEST_PROP(ClosedFormPeriods, aPeriodTurnsTheBodyAboutLByTheMontgomeryAngle, 
   const FreeBody body = draw::movingBody();
   const ClosedForm form = body.closedForm();
   const double period = form.period(), turn = form.montgomeryAngle();
-  const Quaternion start = body.attitude.cast<Real>().normalized();
+  const RealQuaternion start = body.attitude.cast<Real>().normalized();
   const Vector3 about = (start * body.moments.cwiseProduct(body.omega).cast<Real>()).normalized();
-  const Quaternion wanted = Quaternion(Eigen::AngleAxis<Real>(turn, about)) * start;
+  const RealQuaternion wanted = RealQuaternion(Eigen::AngleAxis<Real>(turn, about)) * start;
   const double off = angle(wanted, form.at(period).attitude.cast<Real>());
   const double most = allowed(body, body.omega, period).attitude + kUlp * turn;
   RC_LOG() << body << "T = " << period << ", angle " << turn << ": off by " << off << " of " << most << std::endl;

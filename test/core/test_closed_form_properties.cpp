@@ -175,9 +175,9 @@ RC_GTEST_PROP(ClosedFormProperties, obeysTheEquationsOfMotion, ()) {
   const ClosedForm::State before = form.at(before_t), here = form.at(t), after = form.at(after_t);
   const Vector3 mu = body.moments.cast<Real>(), omega = here.omega_body.cast<Real>(), momentum = mu.cwiseProduct(omega);
   const Vector3 change = mu.cwiseProduct(after.omega_body.cast<Real>() - before.omega_body.cast<Real>());
-  const Quaternion q = here.attitude.cast<Real>();
-  const Quaternion rate = q * Quaternion(0, omega[0] / 2, omega[1] / 2, omega[2] / 2);
-  const Vector4 turn = after.attitude.cast<Real>().coeffs() - before.attitude.cast<Real>().coeffs();
+  const RealQuaternion q = here.attitude.cast<Real>();
+  const RealQuaternion rate = q * RealQuaternion(0, omega[0] / 2, omega[1] / 2, omega[2] / 2);
+  const RealVector4 turn = after.attitude.cast<Real>().coeffs() - before.attitude.cast<Real>().coeffs();
   // The times need not lie evenly about t once they are rounded: first order remains.
   const Real middle = (static_cast<Real>(after_t) - t) - (static_cast<Real>(t) - before_t);
   const Real slack = 1e-6L + fastest * std::abs(middle);

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "hard_case_judge.h"
-#include "poinsot/core/steppers/rotate.h"
+#include "poinsot/core/rotation.h"
+#include "steppers/rotate.h"
 
 namespace poinsot {
 namespace {

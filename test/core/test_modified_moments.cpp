@@ -1,6 +1,6 @@
 // The modified moments of the discrete Moser–Veselov map against the first terms that Hairer and Vilmart published
 // (J. Phys. A 39 (2006) 13225–13235), which the code does not use.
-#include "poinsot/core/steppers/modified_moments.h"
+#include "steppers/modified_moments.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <vector>
@@ -140,20 +141,84 @@ TEST(Rooms, aStrayIncludeWouldBeCaught) {
   EXPECT_FALSE(forbiddenInScene("yaml-cpp/yaml.h"));
 }
 
-/** What a shared library names as needed (not what that needs in turn: C libraries of the system may be anything). */
-std::vector<std::string> neededBy(const std::string& library) {
+/** Of each line that a command prints, what the pattern's group matches. */
+std::vector<std::string> printedBy(const std::string& command, const std::regex& pattern) {
   std::vector<std::string> out;
-  FILE* pipe = popen(("readelf -d '" + library + "'").c_str(), "r");
+  FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return out;
   std::array<char, 4096> line;
   while (std::fgets(line.data(), line.size(), pipe)) {
     const std::string text = line.data();
     std::smatch match;
-    static const std::regex pattern(R"(\(NEEDED\).*\[(.+)\])");
     if (std::regex_search(text, match, pattern)) out.push_back(match[1]);
   }
   pclose(pipe);
   return out;
+}
+
+/** What a shared library names as needed (not what that needs in turn: C libraries of the system may be anything). */
+std::vector<std::string> neededBy(const std::string& library) {
+  return printedBy("readelf -d '" + library + "'", std::regex(R"(\(NEEDED\).*\[(.+)\])"));
+}
+
+// Inline functions of Eigen, Boost or the standard library that core exported would be those of every program that
+// links it, whatever flags that is compiled with; and the program's would be core's.
+TEST(Rooms, coreExportsItsOwnNamesOnly) {
+  const std::vector<std::string> names =
+      printedBy("nm -D -C --defined-only '" + std::string(CORE_LIBRARY) + "'", std::regex(R"(^\w* +\w +(.*))"));
+  EXPECT_GT(names.size(), 50U) << "nm said little about " << CORE_LIBRARY;
+  for (const std::string& name : names) {
+    EXPECT_TRUE(matches(name, "^((typeinfo|typeinfo name|vtable) for )?poinsot::")) << name;
+    EXPECT_FALSE(matches(name, "^poinsot::(closed_form|taylor)::")) << name << " is private to core";
+  }
+}
+
+/** Each line of core's public headers. */
+template <class Use>
+void eachPublicLine(const Use& use) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / "include/poinsot/core")) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+      use(line, entry.path().string() + ":" + std::to_string(number));
+    }
+  }
+}
+
+// Boost is linked privately, so that whoever uses core need not have it.
+TEST(Rooms, publicHeadersIncludeEigenAndTheStandardLibraryOnly) {
+  int includes = 0;
+  eachPublicLine([&](const std::string& line, const std::string& place) {
+    const std::string include = includeOf(line);
+    if (include.empty()) return;
+    ++includes;
+    EXPECT_TRUE(matches(include, "^(Eigen/|poinsot/core/|[a-z]+$)")) << place << " includes " << include;
+  });
+  EXPECT_GT(includes, 0);
+}
+
+// Types that Eigen aligns as the compiler's flags say; see eigen_types.h.
+TEST(Rooms, publicHeadersNameNoTypeWhoseLayoutDependsOnFlags) {
+  const std::string aligned =
+      R"(Eigen::(Quaterniond|Quaternion<double>|(Vector|RowVector|Array)[24][dfi]|(Matrix|Array)(2|4|22|44)[dfi])"
+      R"(|(Matrix|Vector|RowVector|Array)X+[dfi]|(Isometry|Affine|Projective)[23][df])\b)";
+  for (const char* bad :
+       {"  Eigen::Quaterniond q;", "Eigen::Vector4d v", "Eigen::MatrixXd", "Eigen::Isometry3d pose"}) {
+    EXPECT_TRUE(matches(bad, aligned)) << bad;
+  }
+  for (const char* good : {"Eigen::Vector3d", "Eigen::Matrix3d", "Quaternion", "Vector4"}) {
+    EXPECT_FALSE(matches(good, aligned)) << good;
+  }
+  eachPublicLine([&](const std::string& line, const std::string& place) {
+    EXPECT_FALSE(matches(line, aligned)) << place << ": " << line;
+  });
+}
+
+TEST(Rooms, coreLinksTheBoostThatItIncludes) {
+  std::ifstream in(fs::path(SOURCE_DIR) / "src/core/CMakeLists.txt");
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  EXPECT_TRUE(matches(text, R"(target_link_libraries\(poinsot_core[^)]*Boost::boost)"));
 }
 
 bool isRosLibrary(const std::string& name) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "draws.h"
+#include "half_turn.h"
 
 namespace poinsot {
 namespace {
@@ -144,7 +145,7 @@ TEST_F(RotationLaws, angleBetweenIsTheAngleTurned) {
 
 TEST_F(RotationLaws, renormaliseMakesUnit) {
   forAll([](const Vector3d& theta) {
-    Quaterniond q = expQuaternion(theta);
+    Quaternion q = expQuaternion(theta);
     q.coeffs() *= 1 + 1e-9;
     renormalise(q);
     EXPECT_NEAR(q.norm(), 1, 4e-16);

@@ -24,9 +24,9 @@
 
 #include "poinsot/core/motion.h"
 #include "poinsot/core/rotation.h"
-#include "poinsot/core/steppers/rk4.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
+#include "steppers/rk4.h"
 
 namespace {
 

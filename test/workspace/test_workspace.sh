@@ -112,5 +112,6 @@ build_against_install() {
     cmake --build alone && alone/devel/lib/poinsot_neighbour/spin
 }
 check "the neighbour builds against the install space alone, and runs" build_against_install
+check "a program gets the same bits under whatever flags it is compiled with" "$root/test/workspace/test_flags.sh" "$install"
 
 end_checks

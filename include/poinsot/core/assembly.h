@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <vector>
+
+#include "poinsot/core/eigen_types.h"
 
 namespace poinsot {
 
@@ -14,9 +14,9 @@ struct Solid {
   SolidType type = SolidType::box;  ///< its form
   /** Full extents along its own axes [m]; a cylinder's axis is z. Positive and finite. */
   Eigen::Vector3d size = Eigen::Vector3d::Ones();
-  double mass = 1;                                                  ///< [kg], positive and finite
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();                 ///< [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< own axes → assembly axes, unit
+  double mass = 1;                                   ///< [kg], positive and finite
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
+  Quaternion orientation = Quaternion::Identity();   ///< own axes → assembly axes, unit
 
   double volume() const;                  ///< [m³]
   Eigen::Matrix3d inertiaTensor() const;  ///< about its own centre, in assembly axes [kg·m²]
@@ -68,7 +68,7 @@ Assembly twoCylinders(double radius, double height, double second_radius, double
  * only the inertia is known. wᵢ² ∝ μⱼ + μₖ − μᵢ: the longest side lies along the axis of smallest moment. Where no real
  * body has the moments, the side that would be imaginary is drawn thin.
  */
-Assembly equivalentBox(const Eigen::Vector3d& moments, const Eigen::Quaterniond& axes);
+Assembly equivalentBox(const Eigen::Vector3d& moments, const Quaternion& axes);
 
 }  // namespace shapes
 }  // namespace poinsot

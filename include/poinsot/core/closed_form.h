@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include "poinsot/core/closed_form_constants.h"
+#include "poinsot/core/eigen_types.h"
 
 namespace poinsot {
 
@@ -30,8 +30,8 @@ class ClosedForm {
  public:
   /** The motion at one time. */
   struct State {
-    Eigen::Quaterniond attitude;  ///< R: principal axes → world, unit to roundoff; continuous in t, so of either sign
-    Eigen::Vector3d omega_body;   ///< Ω [rad/s], principal axes
+    Quaternion attitude;         ///< R: principal axes → world, unit to roundoff; continuous in t, so of either sign
+    Eigen::Vector3d omega_body;  ///< Ω [rad/s], principal axes
   };
 
   /** One state a row: w, x, y, z of the attitude, then Ω₁, Ω₂, Ω₃ [rad/s]. Column by column in memory. */
@@ -43,7 +43,7 @@ class ClosedForm {
    * @param omega_body at t = 0 [rad/s], principal axes, finite.
    * Throws std::invalid_argument for anything else.
    */
-  ClosedForm(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude, const Eigen::Vector3d& omega_body);
+  ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude, const Eigen::Vector3d& omega_body);
 
   /**
    * The state at t [s], of either sign. Throws std::invalid_argument when t is not finite. Ω is infinite where it
@@ -55,10 +55,22 @@ class ClosedForm {
    * out.row(j) = the state at t₀ + j·dt, that time taken exactly, not rounded to a double; out is all overwritten.
    * Vectorised for the processor that it runs on. Throws std::invalid_argument when t0 or dt is not finite.
    */
-  void sample(double t0, double dt, Eigen::Ref<Samples> out) const;
+  void sample(double t0, double dt, Eigen::Ref<Samples> out) const {
+    double* columns[7];
+    for (int i = 0; i < 7; ++i) columns[i] = out.col(i).data();
+    sample(t0, dt, out.rows(), columns);
+  }
 
-  /** The same into a table of its own. n ≥ 0. */
-  Samples sample(double t0, double dt, Eigen::Index n) const;
+  /** The same into a table of its own, which the caller's code allocates: Eigen's allocator is not the same under every
+   * flag. n ≥ 0. */
+  Samples sample(double t0, double dt, Eigen::Index n) const {
+    Samples out(n, 7);
+    sample(t0, dt, out);
+    return out;
+  }
+
+  /** The same into plain memory: columns[i][j] is quantity i, in the order of Samples, of sample j. */
+  void sample(double t0, double dt, std::int64_t n, double* const columns[7]) const;
 
   /** What the motion is, decided exactly. */
   enum class Regime {
@@ -114,7 +126,7 @@ class ClosedForm {
   double fromScaledTime(double t) const;
 
   Eigen::Vector3d moments_;
-  Eigen::Quaterniond attitude_;
+  Quaternion attitude_;
   Eigen::Vector3d omega_body_;
   closed_form::Constants constants_;
 };

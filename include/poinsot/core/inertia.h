@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
+#include "poinsot/core/eigen_types.h"
 
 namespace poinsot {
 
@@ -33,7 +32,7 @@ class PrincipalInertia {
   const Eigen::Vector3d& moments() const { return moments_; }
 
   /** Principal axes → body axes, unit: v_body = axes() * v_principal. */
-  const Eigen::Quaterniond& axes() const { return axes_; }
+  const Quaternion& axes() const { return axes_; }
 
   /** M in body axes [kg·m²]. */
   Eigen::Matrix3d tensor() const;
@@ -42,10 +41,10 @@ class PrincipalInertia {
   bool satisfiesTriangleInequality() const;
 
  private:
-  PrincipalInertia(const Eigen::Vector3d& moments, const Eigen::Quaterniond& axes) : moments_(moments), axes_(axes) {}
+  PrincipalInertia(const Eigen::Vector3d& moments, const Quaternion& axes) : moments_(moments), axes_(axes) {}
 
   Eigen::Vector3d moments_;
-  Eigen::Quaterniond axes_;
+  Quaternion axes_;
 };
 
 }  // namespace poinsot

@@ -9,6 +9,7 @@
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/effect.h"
 #include "poinsot/core/effects/translation.h"
+#include "poinsot/core/eigen_types.h"
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
 #include "poinsot/core/stepper_trajectory.h"
@@ -17,10 +18,10 @@ namespace poinsot {
 
 /** A body's motion at one time, in the body axes in which its inertia was given (not the principal axes). */
 struct MotionState {
-  double time = 0;                                               ///< [s]
-  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< R: body → world, unit
-  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< Ω [rad/s]
-  Eigen::Vector3d omega_world = Eigen::Vector3d::Zero();         ///< ω = RΩ [rad/s]
+  double time = 0;                                           ///< [s]
+  Quaternion attitude = Quaternion::Identity();              ///< R: body → world, unit
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();      ///< Ω [rad/s]
+  Eigen::Vector3d omega_world = Eigen::Vector3d::Zero();     ///< ω = RΩ [rad/s]
   Eigen::Vector3d momentum_world = Eigen::Vector3d::Zero();  ///< L [kg·m²/s]; of a body with a slug, both together
   double kinetic_energy = 0;                                 ///< E = ½ΩᵀMΩ [J]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();        ///< [m], world axes
@@ -29,19 +30,19 @@ struct MotionState {
   Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();      ///< σ of a slug inside [rad/s], body axes
 
   /** E, F and L of this state. */
-  Invariants invariants() const { return {kinetic_energy, momentum_world.squaredNorm(), momentum_world}; }
+  Invariants invariants() const;
 };
 
 /** What a motion is made of. */
 struct MotionSetup {
   /** About the centre of mass, or about the pivot of a body that has one. */
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
-  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world; normalised on use
-  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
-  std::string method = kClosedForm;        ///< kClosedForm, or a name of methods() or torqueMethods()
-  std::optional<double> step;              ///< [s]; a stepper needs one, the closed form has none
-  std::optional<Translation> translation;  ///< not computed where absent
-  std::vector<Effect> effects;             ///< what turns it; a free body has none
+  Quaternion attitude = Quaternion::Identity();          ///< at t = 0, body → world; normalised on use
+  Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  ///< at t = 0 [rad/s], body axes
+  std::string method = kClosedForm;                      ///< kClosedForm, or a name of methods() or torqueMethods()
+  std::optional<double> step;                            ///< [s]; a stepper needs one, the closed form has none
+  std::optional<Translation> translation;                ///< not computed where absent
+  std::vector<Effect> effects;                           ///< what turns it; a free body has none
 };
 
 /**

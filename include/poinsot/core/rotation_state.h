@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
+#include "poinsot/core/eigen_types.h"
 
 namespace poinsot {
 
@@ -12,11 +11,11 @@ namespace poinsot {
  * world axes because there an attitude error would be amplified by the ratio of the moments.
  */
 struct RotationState {
-  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< R: principal axes → world, unit
-  Eigen::Vector3d momentum_body = Eigen::Vector3d::Zero();       ///< Λ = MΩ [kg·m²/s], principal axes
+  Quaternion attitude = Quaternion::Identity();             ///< R: principal axes → world, unit
+  Eigen::Vector3d momentum_body = Eigen::Vector3d::Zero();  ///< Λ = MΩ [kg·m²/s], principal axes
 
   // What compensated summation has left over, below the last bits of the above; zero for methods without it.
-  Eigen::Vector4d attitude_rest = Eigen::Vector4d::Zero();  ///< in the order of attitude.coeffs()
+  Vector4 attitude_rest = Vector4::Zero();                  ///< in the order of attitude.coeffs()
   Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();  ///< of momentum_body [kg·m²/s]
 
   // The L that free motion keeps, for methods that undo the drift of it by rounding (see steppers/restore_momentum.h).
@@ -34,29 +33,18 @@ struct RotationState {
    * @param attitude R: principal axes → world, unit.
    * @param omega_body Ω [rad/s], principal axes.
    */
-  static RotationState fromOmega(const Eigen::Vector3d& moments, const Eigen::Quaterniond& attitude,
-                                 const Eigen::Vector3d& omega_body) {
-    RotationState state;
-    state.attitude = attitude;
-    state.momentum_body = moments.cwiseProduct(omega_body);
-    state.keepMomentum();
-    return state;
-  }
+  static RotationState fromOmega(const Eigen::Vector3d& moments, const Quaternion& attitude,
+                                 const Eigen::Vector3d& omega_body);
 
   /** L = RΛ as it is now becomes the one to keep. */
-  void keepMomentum() { keepMomentum(momentumWorld()); }
+  void keepMomentum();
   /** Whoever changes L (an impulse) says so by this, with the L that there was to keep and the change of it. */
-  void keepMomentum(const Eigen::Vector3d& momentum_world) {
-    kept_momentum = momentum_world;
-    const double square = kept_momentum.squaredNorm();
-    kept_inverse_square = square > 0 ? 1 / square : 0;
-    kept_inverse_inertia = 0;
-  }
+  void keepMomentum(const Eigen::Vector3d& momentum_world);
 
   /** Ω = M⁻¹Λ [rad/s], principal axes. */
   Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }
   /** L = RΛ [kg·m²/s], world axes. */
-  Eigen::Vector3d momentumWorld() const { return attitude * momentum_body; }
+  Eigen::Vector3d momentumWorld() const;
 };
 
 }  // namespace poinsot

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <string>
 
+#include "poinsot/core/eigen_types.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/core/torque_stepper.h"
 
@@ -68,7 +67,7 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
  * @param omega_body at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
  */
-StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Eigen::Quaterniond& attitude,
+StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Quaternion& attitude,
                               const Eigen::Vector3d& omega_body, double step);
 
 }  // namespace poinsot

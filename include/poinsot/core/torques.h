@@ -1,12 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "poinsot/core/eigen_types.h"
 #include "poinsot/core/inertia.h"
 
 namespace poinsot {
@@ -132,8 +131,8 @@ class Torques {
    * @param omega Ω [rad/s].
    * @param slug_omega σ [rad/s]; not looked at where there is no slug.
    */
-  Eigen::Vector3d at(double t, const Constant& constant, const Eigen::Quaterniond& attitude,
-                     const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
+  Eigen::Vector3d at(double t, const Constant& constant, const Quaternion& attitude, const Eigen::Vector3d& omega,
+                     const Eigen::Vector3d& slug_omega) const;
   /** σ̇ [rad/s²]; zero where there is no slug. */
   Eigen::Vector3d slugAcceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
 
@@ -141,7 +140,7 @@ class Torques {
   Eigen::Vector3d principal(const Eigen::Vector3d& body) const { return axes_.conjugate() * body; }
 
   Eigen::Vector3d moments_;
-  Eigen::Quaterniond axes_;  ///< principal → body
+  Quaternion axes_;  ///< principal → body
   std::vector<double> switches_;
   std::vector<Constant> constants_ = {Constant()};
   bool has_world_ = false;

@@ -5,7 +5,6 @@ namespace poinsot::taylor {
 namespace POINSOT_TAYLOR_LEVEL {
 
 using Four = double __attribute__((vector_size(32)));
-using Order = long long __attribute__((vector_size(32)));
 
 // 1, 1/2, 1/3, …
 constexpr double kInverse[kMostOrder] = {1,        1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,
@@ -17,11 +16,20 @@ constexpr double kMostTail = 1e-6;  // of the state, or of its change, for the l
 inline Four four(const double* v) {
   return Four{v[0], v[1], v[2], 0};
 }
+template <int a, int b, int c, int d>
+inline Four shuffled(Four v) {
+#ifdef __clang__
+  return __builtin_shufflevector(v, v, a, b, c, d);
+#else  // gcc has that one since version 12
+  using Order = long long __attribute__((vector_size(32)));
+  return __builtin_shuffle(v, Order{a, b, c, d});
+#endif
+}
 inline Four yzx(Four v) {
-  return __builtin_shuffle(v, Order{1, 2, 0, 3});
+  return shuffled<1, 2, 0, 3>(v);
 }
 inline Four zxy(Four v) {
-  return __builtin_shuffle(v, Order{2, 0, 1, 3});
+  return shuffled<2, 0, 1, 3>(v);
 }
 inline double larger(double a, double b) {
   return a > b ? a : b;
@@ -130,9 +138,8 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
     // Rounded inverses would be the moments of a slightly different body; in the higher terms that does not show.
     omega.set(k + 1, k < 2 || !invertible ? torque * next / moments : torque * next * inverse_moments);
     for (int i = 0; i < carried; ++i) vectors[i].set(k + 1, cross[i] * next);
-    const Four turn = __builtin_shuffle(a1, Order{3, 2, 1, 0}) * Four{1, 1, -1, -1} +
-                      __builtin_shuffle(a2, Order{2, 3, 0, 1}) * Four{-1, 1, 1, -1} +
-                      __builtin_shuffle(a3, Order{1, 0, 3, 2}) * Four{1, -1, 1, -1};
+    const Four turn = shuffled<3, 2, 1, 0>(a1) * Four{1, 1, -1, -1} + shuffled<2, 3, 0, 1>(a2) * Four{-1, 1, 1, -1} +
+                      shuffled<1, 0, 3, 2>(a3) * Four{1, -1, 1, -1};
     attitude[k + 1] = turn * (0.5 * next);
   }
 

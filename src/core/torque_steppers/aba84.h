@@ -1,6 +1,7 @@
 #pragma once
 
-#include "poinsot/core/compensated_sum.h"
+#include "compensated_sum.h"
+#include "kept_momentum.h"
 #include "poinsot/core/stepper.h"
 #include "poinsot/core/torque_stepper.h"
 
@@ -32,7 +33,7 @@ class Aba84 final : public TorqueStepper {
           torques().at(t + elapsed, constant, rotation.attitude, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
       const Eigen::Vector3d impulse = (kick * h) * torque;
       addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest, impulse);
-      rotation.keepMomentum(rotation.kept_momentum + rotation.attitude * impulse);
+      inlined::keepMomentum(rotation, rotation.kept_momentum + rotation.attitude * impulse);
     }
     work += free_->advance(rotation, kA[0] * h, 1);
     state.rotation = rotation;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "poinsot/core/compensated_sum.h"
-#include "poinsot/core/steppers/rotate.h"
+#include "compensated_sum.h"
 #include "poinsot/core/torque_stepper.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::torque_steppers {
 

@@ -26,9 +26,9 @@ struct Translation {
   }
 
   /** b(t) [m], world axes. */
-  Eigen::Vector3d positionAt(double t) const { return position + t * (velocity + (0.5 * t) * acceleration); }
+  Eigen::Vector3d positionAt(double t) const;
   /** db/dt [m/s], world axes. */
-  Eigen::Vector3d velocityAt(double t) const { return velocity + t * acceleration; }
+  Eigen::Vector3d velocityAt(double t) const;
 };
 
 }  // namespace poinsot

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "poinsot/core/steppers/rotate.h"
-#include "poinsot/core/steppers/taylor.h"
 #include "poinsot/core/work.h"
+#include "steppers/rotate.h"
+#include "steppers/taylor.h"
 
 namespace poinsot::steppers {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "poinsot/core/compensated_sum.h"
-#include "poinsot/core/rotation.h"
+#include "compensated_sum.h"
+#include "half_turn.h"
 #include "poinsot/core/rotation_state.h"
 
 namespace poinsot::steppers {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "poinsot/core/compensated_sum.h"
+#include "compensated_sum.h"
 #include "poinsot/core/rotation_state.h"
-#include "poinsot/core/steppers/restore_momentum.h"
+#include "steppers/restore_momentum.h"
 
 namespace poinsot::steppers {
 

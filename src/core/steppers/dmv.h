@@ -5,9 +5,9 @@
 #include <string>
 
 #include "poinsot/core/no_convergence.h"
-#include "poinsot/core/steppers/modified_moments.h"
-#include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/work.h"
+#include "steppers/modified_moments.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::steppers {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "poinsot/core/compensated_sum.h"
+#include "compensated_sum.h"
 #include "poinsot/core/rotation_state.h"
-#include "poinsot/core/steppers/move_attitude.h"
 #include "poinsot/core/work.h"
+#include "steppers/move_attitude.h"
 
 namespace poinsot::steppers {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/work.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::steppers {
 

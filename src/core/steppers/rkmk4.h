@@ -1,7 +1,7 @@
 #pragma once
 
-#include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/work.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::steppers {
 
@@ -30,8 +30,11 @@ class Rkmk4 {
  private:
   [[gnu::always_inline]] static Eigen::Vector3d rate(const Eigen::Vector3d& scale, const Eigen::Vector3d& p0,
                                                      const Eigen::Vector3d& theta) {
-    const Eigen::Vector3d w = scale.cwiseProduct(turnedBack(p0, theta)), once = theta.cross(w);
-    return w + 0.5 * once + (1.0 / 12) * theta.cross(once);
+    const Eigen::Vector3d w = scale.cwiseProduct(turnedBack(p0, theta)), once = theta.cross(w),
+                          twice = theta.cross(once);
+    // By components: Eigen's loop over them is not always inlined, which takes a twentieth longer.
+    return {w[0] + 0.5 * once[0] + (1.0 / 12) * twice[0], w[1] + 0.5 * once[1] + (1.0 / 12) * twice[1],
+            w[2] + 0.5 * once[2] + (1.0 / 12) * twice[2]};
   }
 
   Eigen::Vector3d inverse_;

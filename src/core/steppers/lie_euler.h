@@ -1,7 +1,7 @@
 #pragma once
 
-#include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/work.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::steppers {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "poinsot/core/compensated_sum.h"
-#include "poinsot/core/rotation.h"
+#include "compensated_sum.h"
+#include "half_turn.h"
 #include "poinsot/core/rotation_state.h"
 
 namespace poinsot::steppers {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "poinsot/core/no_convergence.h"
-#include "poinsot/core/steppers/rotate.h"
 #include "poinsot/core/work.h"
+#include "steppers/rotate.h"
 
 namespace poinsot::steppers {
 

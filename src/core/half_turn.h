@@ -1,0 +1,55 @@
+#pragma once
+
+#include "poinsot/core/eigen_types.h"
+
+/** exp(θ) for steppers, who take it apart and call it once or more a step: inline. */
+namespace poinsot {
+
+/** exp(θ) in pieces: the unit quaternion (c, ½s·θ). */
+struct HalfTurn {
+  double c;  ///< cos(|θ|/2)
+  double s;  ///< sin(|θ|/2) / (|θ|/2)
+};
+
+/** Beyond |θ| = 2, where steppers rarely go. θ that is not finite gives NaN. */
+HalfTurn wideHalfTurn(const Eigen::Vector3d& theta);
+
+/**
+ * For any finite θ, also where |θ|² leaves the range of doubles.
+ * Up to |θ| = 2 both functions are their Taylor series in z = |θ|²/4, which is where sin(x)/x would be 0/0 and where
+ * steppers spend their time; summed in pairs, so that the processor need not wait for one term after the other.
+ */
+inline HalfTurn halfTurn(const Eigen::Vector3d& theta) {
+  const double z = 0.25 * (theta[0] * theta[0] + theta[1] * theta[1] + theta[2] * theta[2]);
+  const double z2 = z * z, z4 = z2 * z2;
+  // First terms left out, |θ| < 1/8: z⁵/10! and z⁵/11!, below 3e-19.
+  if (z < 0.00390625) {
+    return {(1 - z * (1.0 / 2)) + z2 * ((1.0 / 24 - z * (1.0 / 720)) + z2 * (1.0 / 40320)),
+            (1 - z * (1.0 / 6)) + z2 * ((1.0 / 120 - z * (1.0 / 5040)) + z2 * (1.0 / 362880))};
+  }
+  // |θ| < 1/2: z⁷/14! and z⁷/15!, below 5e-20.
+  if (z < 0.0625) {
+    return {((1 - z * (1.0 / 2)) + z2 * (1.0 / 24 - z * (1.0 / 720))) +
+                z4 * ((1.0 / 40320 - z * (1.0 / 3628800)) + z2 * (1.0 / 479001600)),
+            ((1 - z * (1.0 / 6)) + z2 * (1.0 / 120 - z * (1.0 / 5040))) +
+                z4 * ((1.0 / 362880 - z * (1.0 / 39916800)) + z2 * (1.0 / 6227020800))};
+  }
+  // |θ| < 2: z¹⁰/20! and z⁹/19!, below 1e-17. The 1 is added last, so that little is lost to rounding.
+  if (z < 1) {
+    const double z8 = z4 * z4;
+    return {1 + ((z2 * (1.0 / 24 - z * (1.0 / 720)) - z * (1.0 / 2)) +
+                 (z4 * ((1.0 / 40320 - z * (1.0 / 3628800)) + z2 * (1.0 / 479001600 - z * (1.0 / 87178291200))) +
+                  z8 * (1.0 / 20922789888000 - z * (1.0 / 6402373705728000)))),
+            1 + ((z2 * (1.0 / 120 - z * (1.0 / 5040)) - z * (1.0 / 6)) +
+                 (z4 * ((1.0 / 362880 - z * (1.0 / 39916800)) + z2 * (1.0 / 6227020800 - z * (1.0 / 1307674368000))) +
+                  z8 * (1.0 / 355687428096000)))};
+  }
+  return wideHalfTurn(theta);
+}
+
+/** One Newton step towards |q| = 1: enough, and cheap, for a quaternion that is unit to about 1e-8. */
+inline void renormalise(Quaternion& q) {
+  q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();
+}
+
+}  // namespace poinsot
