@@ -56,6 +56,7 @@ class GripTest(unittest.TestCase):
         cls.metres = graph.wait_for(cls.descriptions.last, what="a description").metres_per_radian_per_second
 
     def setUp(self):
+        self.control.speed(1.0)
         self.control.pause(False)
         self.act(InteractiveMarkerFeedback.MENU_SELECT, entry="energy ellipsoid")
         segment, since = self.states.last().segment, self.states.count()
@@ -240,6 +241,19 @@ class GripTest(unittest.TestCase):
         after = self.states.next_where(lambda s: s.time_rate == 1)
         self.assertEqual(after.segment, before.segment)
         self.assertGreaterEqual(after.time, before.time)
+
+    def test_a_click_changes_nothing_however_fast_it_plays(self):
+        # The tick that holds the body moves it once more, at this speed by more than a hand may move in a click.
+        self.control.speed(20.0)
+        self.states.next_where(lambda s: s.time_rate == 20)
+        held = self.press()
+        played = [s for s in self.states.all() if s.time_rate == 20][-1]
+        place, before = [self.metres * array(s.omega_body) for s in (held, played)]
+        self.assertGreater(np.linalg.norm(place - before), 0.01)
+        self.act(InteractiveMarkerFeedback.POSE_UPDATE, place + 1e-3)
+        self.act(InteractiveMarkerFeedback.MOUSE_UP)
+        after = self.states.next_where(lambda s: s.time_rate == 20)
+        self.assertEqual(after.segment, held.segment)
 
     def test_paused_before_is_paused_after(self):
         self.control.pause(True)
