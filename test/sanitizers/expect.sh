@@ -1,4 +1,6 @@
+# shellcheck shell=bash
 # Sourced by the scripts beside it: checks, counted, each a line as scripts/test.sh reads them.
+# shellcheck disable=SC2154  # build: common.sh
 set +e
 passed=0 failed=0
 
