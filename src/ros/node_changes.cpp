@@ -418,7 +418,9 @@ void Node::lead(const Touch& touch) {
   }
   if (!hold_ || hold_->body != i || hold_->let_go) press(i);
   hold_->touched = ros::SteadyTime::now();
-  if (!hold_->led && (touch.point - hold_->taken_at).stableNorm() < kClick) return;
+  // The tick that stopped the body has moved it once more: the hand may have seen either place.
+  const auto near = [&](const Eigen::Vector3d& seen) { return (touch.point - seen).stableNorm() < kClick; };
+  if (!hold_->led && (near(hold_->taken_at) || near(omegaPoint(body)))) return;
   hold_->led = true;
   hold_->omega_body = inertia.axes() * *place / metres;
   scene::Body start = scene::withSpin(scene_.bodies[i], body.state(), hold_->omega_body);

@@ -3,7 +3,6 @@
 import math
 import os
 import sys
-import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -24,7 +23,7 @@ class ControlTest(unittest.TestCase):
         cls.control = graph.Control()
         cls.states = graph.Listener("/top/state", BodyState)
         cls.log = graph.Listener("/rosout", Log)  # rostest starts no rosout node, so no /rosout_agg
-        graph.wait_for(cls.states.last, 15, "a state")
+        graph.wait_for(cls.states.last, what="a state")
 
     def setUp(self):
         self.control.speed(1.0)
@@ -39,25 +38,22 @@ class ControlTest(unittest.TestCase):
         segments = [m.segment for m in messages]
         self.assertEqual(segments, sorted(segments), "a segment came back")
 
-    def settled(self, seconds=0.3, condition=lambda s: True):
-        """Lets what was said take effect, until a state meets the condition, then gives the states of that long."""
-        time.sleep(0.15)
-        self.states.next_where(condition)
-        self.states.clear()
-        time.sleep(seconds)
-        return self.states.all()
+    def settled(self, number=20, condition=lambda s: True):
+        """The next state that meets the condition, and those that follow it without a gap: this many in all."""
+        since = self.states.count()
+        first = self.states.next_where(condition, since=since)
+        return self.states.more(number, self.states.all().index(first, since))
 
     def pause_and_settle(self):
+        """The states that a paused node goes on publishing, while stamps run."""
         self.assertTrue(self.control.pause(True).success)
-        states = self.settled(condition=lambda s: s.time_rate == 0)
-        self.assertGreater(len(states), 5, "a paused node goes on publishing while stamps run")
-        return states
+        return self.settled(condition=lambda s: s.time_rate == 0)
 
     def test_plays_at_rate_one(self):
-        states = self.settled(1.0)
-        self.assertGreater(len(states), 0.8 * RATE)
+        states = self.settled(int(RATE))
         a, b = states[0], states[-1]
         stamps = (b.header.stamp - a.header.stamp).to_sec()
+        self.assertLess(stamps, 1 / 0.8)
         self.assertAlmostEqual(b.time - a.time, stamps, delta=2e-9)
         self.assertEqual({s.time_rate for s in states}, {1.0})
         self.assertEqual({s.segment for s in states}, {a.segment})
@@ -86,18 +82,16 @@ class ControlTest(unittest.TestCase):
             self.assertEqual(after[-1].segment, before.segment, "a step is no break in the motion")
 
     def test_time_follows_the_stamps_also_across_pause_and_step(self):
-        self.states.clear()
-        time.sleep(0.2)
-        self.control.pause(True)
-        time.sleep(0.2)
+        since = self.states.count()
+        self.settled(10)
+        paused_at = self.pause_and_settle()[-1].time
         for _ in range(4):
             self.control.step()
-        time.sleep(0.4)
+        self.settled(10, lambda s: s.time_rate == 0 and s.time > paused_at + 4 / RATE - 1e-9)
         self.control.speed(-3.0)
         self.control.pause(False)
-        self.states.next_where(lambda s: s.time_rate == -3)
-        time.sleep(0.3)
-        states = self.states.all()
+        self.settled(20, lambda s: s.time_rate == -3)
+        states = self.states.all()[since:]
         self.assertEqual({s.time_rate for s in states}, {0.0, 1.0, -3.0})
         for a, b in zip(states, states[1:]):
             expected = a.time_rate * (b.header.stamp - a.header.stamp).to_sec()
@@ -110,8 +104,7 @@ class ControlTest(unittest.TestCase):
         self.assertIn("pause", response.message)
 
     def test_reset(self):
-        self.settled(0.5)
-        segment = self.states.last().segment
+        segment = self.states.next_where(lambda s: s.time > 0.5).segment
         since = self.states.count()
         self.assertTrue(self.control.reset().success)
         state = self.states.next_where(lambda s: s.segment == segment + 1, since=since)
@@ -129,7 +122,7 @@ class ControlTest(unittest.TestCase):
         segment = self.states.last().segment
         since = self.states.count()
         self.control.seek(target)
-        return self.states.next_where(lambda s: s.segment == segment + 1, 30, since)
+        return self.states.next_where(lambda s: s.segment == segment + 1, since=since)
 
     def test_seek_forwards_and_to_negative_times(self):
         for target in (12.5, 100.0, -7.25, 0.0):
@@ -181,8 +174,10 @@ class ControlTest(unittest.TestCase):
     def test_a_long_seek_does_not_hold_up_publishing(self):
         # 2e8 steps take several seconds; a second seek gives up the first.
         segment = self.states.last().segment
+        since = self.log.count()
         self.control.seek(20000.0)
-        states = self.settled(1.5)
+        self.log.next_where(lambda m: "seek to 20000 s takes 2e+08 steps" in m.msg, since=since)
+        states = self.settled(90)
         self.assertEqual({s.segment for s in states}, {segment}, "plays on until the seek is done")
         gaps = [(b.header.stamp - a.header.stamp).to_sec() for a, b in zip(states, states[1:])]
         self.assertLess(sorted(gaps)[int(0.9 * len(gaps))], 5 / RATE)
@@ -191,7 +186,7 @@ class ControlTest(unittest.TestCase):
     def test_backward_play_and_speeds(self):
         for speed in (-2.0, 0.25, 5.0, 0.0, -1.0):
             self.control.speed(speed)
-            states = self.settled(0.5, lambda s: s.time_rate == speed)
+            states = self.settled(30, lambda s: s.time_rate == speed)
             self.assertEqual({s.time_rate for s in states}, {speed})
             a, b = states[0], states[-1]
             stamps = (b.header.stamp - a.header.stamp).to_sec()
@@ -199,8 +194,7 @@ class ControlTest(unittest.TestCase):
         # Backwards across the start.
         self.control.speed(-5.0)
         self.states.next_where(lambda s: s.time < -1.0)
-        self.control.pause(True)
-        there = self.settled()[-1]
+        there = self.pause_and_settle()[-1]
         self.assertLess(there.time, -1.0)
         jumped = self.seek(there.time)
         self.assertTrue(graph.same_attitude(there.attitude, jumped.attitude), "playing there and seeking there agree")

@@ -9,7 +9,11 @@ from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
 
-def wait_for(condition, seconds=15.0, what="a condition"):
+# How long a condition may take [s, wall time]: far longer than it does, also on a busy machine and under a sanitizer.
+PATIENCE = 60.0
+
+
+def wait_for(condition, seconds=PATIENCE, what="a condition"):
     """Waits, in wall time, until condition() is true and returns its value."""
     deadline = time.time() + seconds
     while time.time() < deadline:
@@ -45,7 +49,7 @@ class Listener(object):
         with self._lock:
             return self._messages[-1] if self._messages else None
 
-    def next(self, seconds=15.0):
+    def next(self, seconds=PATIENCE):
         """The next message to arrive."""
         return self.next_where(lambda message: True, seconds)
 
@@ -53,7 +57,7 @@ class Listener(object):
         with self._lock:
             return len(self._messages)
 
-    def next_where(self, condition, seconds=15.0, since=None):
+    def next_where(self, condition, seconds=PATIENCE, since=None):
         """
         The first message that meets the condition, from now on or from an earlier count() on: an answer may be here
         before one comes to wait for it.
@@ -64,6 +68,12 @@ class Listener(object):
             return [m for m in self.all()[seen:] if condition(m)]
         return wait_for(found, seconds, "a message on " + self._topic)[0]
 
+    def more(self, number, since=None, seconds=PATIENCE):
+        """The next messages, this many, from now on or from an earlier count() on."""
+        seen = self.count() if since is None else since
+        wait_for(lambda: self.count() >= seen + number, seconds, "%d messages on %s" % (number, self._topic))
+        return self.all()[seen:seen + number]
+
     def close(self):
         self._subscriber.unregister()
 
@@ -73,14 +83,14 @@ class Control(object):
 
     def __init__(self, node="/poinsot"):
         for name in ("pause", "step", "reset"):
-            rospy.wait_for_service(node + "/" + name, 15)
+            rospy.wait_for_service(node + "/" + name, PATIENCE)
         self._pause = rospy.ServiceProxy(node + "/pause", SetBool)
         self._step = rospy.ServiceProxy(node + "/step", Trigger)
         self._reset = rospy.ServiceProxy(node + "/reset", Trigger)
         self._speed = rospy.Publisher(node + "/speed", Float64, queue_size=10)
         self._seek = rospy.Publisher(node + "/seek", Float64, queue_size=10)
-        wait_for(lambda: self._speed.get_num_connections() and self._seek.get_num_connections(), 15,
-                 "the node to listen to speed and seek")
+        wait_for(lambda: self._speed.get_num_connections() and self._seek.get_num_connections(),
+                 what="the node to listen to speed and seek")
 
     def pause(self, paused=True):
         return self._pause(paused)
@@ -100,7 +110,7 @@ class Control(object):
 
 def message_class(topic):
     """The class of a topic's messages, once it is there."""
-    return wait_for(lambda: rostopic.get_topic_class(topic)[0], 15, topic)
+    return wait_for(lambda: rostopic.get_topic_class(topic)[0], what=topic)
 
 
 def quaternion_distance(a, b):

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -10,6 +11,18 @@ namespace {
 int opaque(int value) {
   volatile int kept = value;
   return kept;
+}
+
+/** Two threads count in one place, and nothing keeps them apart. */
+int raced() {
+  int count = 0;
+  const auto count_on = [&] {
+    for (int i = 0; i < 1000; ++i) count = opaque(count) + 1;
+  };
+  std::thread one(count_on), other(count_on);
+  one.join();
+  other.join();
+  return count;
 }
 
 }  // namespace
@@ -22,6 +35,8 @@ int main(int argc, char** argv) {
     result = three.data()[opaque(3)];
   } else if (std::strcmp(misuse, "overflow") == 0) {
     result = std::numeric_limits<int>::max() - opaque(0) + opaque(1);
+  } else if (std::strcmp(misuse, "race") == 0) {
+    result = raced();
   } else if (std::strcmp(misuse, "none") != 0) {
     return 2;
   }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The core's tests under the address and undefined-behaviour sanitizers, in a build of their own (build/sanitized).
 # The last line reads "N passed, M failed"; a program is one test.
-source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
-set +e
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../../scripts/common.sh"
 
 # All of the core's tests but those that take minutes here: far times in thousands of bits, and the same rows again for
 # older processors. And but test_allocation, which has a malloc of its own as the sanitizer has; test_rooms, which
@@ -10,30 +10,14 @@ set +e
 programs=(test_core test_closed_form_rows test_closed_form_properties test_hard_cases)
 
 export build=$build/sanitized
-build_package -DPOINSOT_SANITIZE=ON misuse "${programs[@]}"
+build_package -DCATKIN_ENABLE_TESTING=ON -DPOINSOT_BUILD_PANEL=OFF -DPOINSOT_SANITIZE=address misuse "${programs[@]}"
 # A sourced setup.bash puts the ordinary library before the programs' own RUNPATH; its allocator is not the sanitizer's.
 export LD_LIBRARY_PATH=$build/devel/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export UBSAN_OPTIONS=print_stacktrace=1
 # Property tests draw fewer cases: the full number has run without sanitizers.
 export RC_PARAMS="seed=1758 max_success=400 noshrink=1"
 
-passed=0 failed=0
-# expect NAME EXIT_CODE PATTERN COMMAND...: the program's streams together must match the pattern.
-expect() {
-  local name=$1 code=$2 pattern=$3 log=$build/$1.log got
-  shift 3
-  "$@" > "$log" 2>&1 < /dev/null
-  got=$?
-  if [ "$got" -eq "$code" ] && grep -qE -- "$pattern" "$log"; then
-    passed=$((passed + 1))
-    echo "PASS  $name"
-  else
-    failed=$((failed + 1))
-    echo "FAIL  $name: exit $got, expected $code and /$pattern/; its output is in $log"
-    { grep -m 3 -A 12 -E 'runtime error|ERROR: |Failure$' "$log" || tail -n 15 "$log"; } | sed 's/^/        /'
-  fi
-}
-
+source "$here/expect.sh"
 misuse=$build/devel/lib/poinsot/misuse
 expect nothing_wrong 0 'nothing was caught' "$misuse" none
 expect out_of_bounds_is_caught 1 'AddressSanitizer: heap-buffer-overflow' "$misuse" out_of_bounds
@@ -44,5 +28,4 @@ for program in "${programs[@]}"; do
     --gtest_filter='-OlderProcessors*:*sample/others*:ClosedFormAnyInput*:*samplesAreSingleEvaluations*'
 done
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish
