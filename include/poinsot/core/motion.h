@@ -116,8 +116,8 @@ class Motion {
     double step;
     GridTrajectory<Flow> forwards, backwards;
 
-    Grid(const Flow& flow, const typename Flow::State& start, double step)
-        : step(step), forwards(flow, start, step), backwards(flow, start, -step) {}
+    Grid(const Flow& flow, const typename Flow::State& start, double grid_step)
+        : step(grid_step), forwards(flow, start, grid_step), backwards(flow, start, -grid_step) {}
     Place locate(double t) const;
     double stepsTo(double t) const;
     bool prepare(double t, const std::atomic<bool>& cancel) { return towards(t).moveTo(locate(t).n, cancel); }
