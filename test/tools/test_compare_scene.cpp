@@ -22,6 +22,7 @@ class SceneFile {
   explicit SceneFile(const std::string& content) { std::ofstream(path) << content; }
   ~SceneFile() { std::remove(path.c_str()); }
   const std::string path = ::testing::TempDir() + "compare_scene_test.yaml";
+  const std::string word = shellWord(path);  ///< on a command line
 };
 
 TEST(CompareScene, aBodyOfSeveralIsTakenByItsName) {
@@ -29,7 +30,7 @@ TEST(CompareScene, aBodyOfSeveralIsTakenByItsName) {
       "rate: 100\nbodies:\n"
       "  - {name: a, inertia: [1, 2, 3], angular_velocity: [1, 0, 0]}\n"
       "  - {name: b, inertia: [4, 5, 6], angular_velocity: [0.1, 1, 0.1], accuracy: 1e-3, horizon: 5}\n");
-  const Outcome outcome = compareScene("--mode equal_step --step 0.01 --body b " + file.path);
+  const Outcome outcome = compareScene("--mode equal_step --step 0.01 --body b " + file.word);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const YAML::Node scene = YAML::Load(outcome.out);
   EXPECT_EQ(scene["rate"].as<double>(), 100);
@@ -66,7 +67,7 @@ TEST(CompareScene, badUse) {
 
 TEST(CompareScene, whatNoStepperCanFollowIsRefused) {
   const SceneFile file("bodies:\n  - {name: wild, inertia: [1, 2, 3], angular_velocity: [1e9, 1e8, 1e7]}\n");
-  const Outcome outcome = compareScene(file.path);
+  const Outcome outcome = compareScene(file.word);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err, "");

@@ -25,6 +25,7 @@ class SceneFile {
   explicit SceneFile(const std::string& content) { std::ofstream(path) << content; }
   ~SceneFile() { std::remove(path.c_str()); }
   const std::string path = ::testing::TempDir() + "scene_cost_test.yaml";
+  const std::string word = shellWord(path);  ///< on a command line
 };
 
 std::string oneBody(const std::string& more) {
@@ -32,9 +33,9 @@ std::string oneBody(const std::string& more) {
 }
 
 Outcome sceneCost(const std::string& arguments) {
-  return runProgram(
-      "POINSOT_COSTS=" + ::testing::TempDir() + "scene_cost_test_costs.yaml " + shellWord(SCENE_COST) + " " + arguments,
-      "");
+  return runProgram("POINSOT_COSTS=" + shellWord(::testing::TempDir() + "scene_cost_test_costs.yaml") + " " +
+                        shellWord(SCENE_COST) + " " + arguments,
+                    "");
 }
 
 using Row = std::map<std::string, std::string>;
@@ -67,7 +68,7 @@ double number(const Row& row, const char* column) {
 
 std::vector<Row> rowsOfScene(const std::string& scene, const std::string& options = "") {
   const SceneFile file(scene);
-  const Outcome outcome = sceneCost("--csv - " + options + " " + file.path);
+  const Outcome outcome = sceneCost("--csv - " + options + " " + file.word);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return rowsOf(outcome.out);
 }
@@ -128,7 +129,7 @@ TEST(SceneCost, aFreeBodyPaysForNoEffect) {
 
 TEST(SceneCost, whatIsNotThereIsAPlainZeroInTheTable) {
   const SceneFile file(oneBody(""));
-  const Outcome outcome = sceneCost(file.path);
+  const Outcome outcome = sceneCost(file.word);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("closed_form"), std::string::npos) << outcome.out;
   int zeros = 0;
@@ -195,7 +196,7 @@ TEST(SceneCost, saysWhyAMethodWasChosen) {
       "     effects: [{type: translation, position: [18, 0, 0]}]}\n"
       "  - {name: d, inertia: [1, 2, 3], angular_velocity: [0.1, 1, 0.2],\n"
       "     effects: [{type: viscous_damping, coefficient: 0.1}, {type: translation, position: [27, 0, 0]}]}\n");
-  const Outcome outcome = sceneCost("--duration 5 " + file.path);
+  const Outcome outcome = sceneCost("--duration 5 " + file.word);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::size_t at = 0;
   for (const char* words :
@@ -210,7 +211,7 @@ TEST(SceneCost, saysWhyAMethodWasChosen) {
 TEST(SceneCost, writesTheFileWholeOrNotAtAll) {
   const SceneFile file(oneBody(""));
   const std::string csv = ::testing::TempDir() + "scene_cost_test.csv";
-  Outcome outcome = sceneCost("--csv " + csv + " " + file.path);
+  Outcome outcome = sceneCost("--csv " + shellWord(csv) + " " + file.word);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("free_motion"), std::string::npos) << "the table is printed as well";
   std::ostringstream text;
@@ -219,7 +220,7 @@ TEST(SceneCost, writesTheFileWholeOrNotAtAll) {
   std::remove(csv.c_str());
 
   for (const std::string& words :
-       {"--csv /nowhere/a.csv " + file.path, "--csv /dev/full " + file.path, file.path + " > /dev/full"}) {
+       {"--csv /nowhere/a.csv " + file.word, "--csv /dev/full " + file.word, file.word + " > /dev/full"}) {
     outcome = sceneCost(words);
     EXPECT_EQ(outcome.exit_code, 1) << words;
     EXPECT_NE(outcome.err.find("cannot write"), std::string::npos) << outcome.err;
@@ -236,22 +237,22 @@ TEST(SceneCost, badUse) {
   };
   expectRefusal("", "scene is required");
   expectRefusal("/nowhere/scene.yaml", "/nowhere/scene.yaml");
-  expectRefusal(file.path + " --rate 0", "--rate is \"0\"; allowed: a positive finite number");
-  expectRefusal(file.path + " --rate inf", "--rate is \"inf\"");
-  expectRefusal(file.path + " --duration -3", "--duration is \"-3\"");
-  expectRefusal(file.path + " --duration soon", "--duration is \"soon\"");
-  expectRefusal(file.path + " --duration 1e7", "takes body a 1e+10 steps");
-  expectRefusal(file.path + " --duration 1e6 --rate 1e6", "states; allowed: up to 1e+09");
-  expectRefusal(file.path + " --colour", "--colour");
-  expectRefusal(file.path + " --csv ''", "--csv is empty");
-  expectRefusal(file.path + " --csv " + file.path, "is the scene itself and would be lost");
+  expectRefusal(file.word + " --rate 0", "--rate is \"0\"; allowed: a positive finite number");
+  expectRefusal(file.word + " --rate inf", "--rate is \"inf\"");
+  expectRefusal(file.word + " --duration -3", "--duration is \"-3\"");
+  expectRefusal(file.word + " --duration soon", "--duration is \"soon\"");
+  expectRefusal(file.word + " --duration 1e7", "takes body a 1e+10 steps");
+  expectRefusal(file.word + " --duration 1e6 --rate 1e6", "states; allowed: up to 1e+09");
+  expectRefusal(file.word + " --colour", "--colour");
+  expectRefusal(file.word + " --csv ''", "--csv is empty");
+  expectRefusal(file.word + " --csv " + file.word, "is the scene itself and would be lost");
   const SceneFile torqued(oneBody("method: closed_form, effects: [{type: viscous_damping, coefficient: 1}]"));
-  expectRefusal(torqued.path, "closed_form is the motion of a free body");
+  expectRefusal(torqued.word, "closed_form is the motion of a free body");
 }
 
 TEST(SceneCost, aMotionThatIsLostIsSaid) {
   const SceneFile file(oneBody("effects: [{type: translation, acceleration: [1e308, 0, 0]}]"));
-  const Outcome outcome = sceneCost(file.path);
+  const Outcome outcome = sceneCost(file.word);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err.find("body a under closed_form"), std::string::npos) << outcome.err;

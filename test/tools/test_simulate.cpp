@@ -337,7 +337,7 @@ TEST_F(Simulate, aDiskThatIsFull) {
 
 TEST_F(Simulate, whatStoodThereStaysUntilTheNewIsComplete) {
   // A list of libraries is split at blanks, which the library's own path may hold.
-  const std::string library = testing::TempDir() + "failing_disk." + std::to_string(getpid()) + ".so";
+  const std::string library = "/tmp/poinsot_failing_disk." + std::to_string(getpid()) + ".so";
   fs::create_symlink(FAILING_DISK, library);
   const std::string preload = "LD_PRELOAD=" + library;
   for (const char* option : {"--csv a", "--bag a", "--csv a --bag b", "--bag a --csv b"}) {

@@ -28,8 +28,9 @@ tests=(test_rooms test_propagate test_compare_scene test_simulate launch_files r
 pattern="^($(IFS='|'; echo "${tests[*]}"))(\\.test)?\$"
 check "test.sh" "$copy/scripts/test.sh" --only "$pattern"
 all_ran() {
+  local name
   for name in "${tests[@]}"; do
-    grep -qE "Test +#[0-9]+: (_ctest_poinsot_[a-z]+_)?$name" "$copy/build/ctest.log" || { echo "$name did not run"; return 1; }
+    grep -qE "^$name(\\.test)?," "$copy/build/test_durations.csv" || { echo "$name did not run"; return 1; }
   done
 }
 check "each of the tests ran" all_ran
