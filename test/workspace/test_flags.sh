@@ -31,7 +31,7 @@ bad() {
   sed 's/^/        /'
   failures=$((failures + 1))
 }
-# shellcheck disable=SC1090  # which setup.bash it is, an argument says
+# shellcheck disable=SC1090
 enter_space() { set +u; source "$setup"; set -u; }  # a function: a sourced setup.bash takes the arguments that it sees
 enter_space
 

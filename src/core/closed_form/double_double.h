@@ -2,6 +2,11 @@
 
 #include "poinsot/core/closed_form_constants.h"
 
+// The processor multiplies and adds in one instruction. Of x86-64, clang says so by the second name only.
+#if defined(__FP_FAST_FMA) || defined(__FMA__)
+#define POINSOT_FMA
+#endif
+
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
@@ -35,7 +40,7 @@ inline DoubleDouble exactSumOrdered(double a, double b) {
 /** a·b exactly. */
 inline DoubleDouble exactProduct(double a, double b) {
   const double product = a * b;
-#ifdef __FP_FAST_FMA
+#ifdef POINSOT_FMA
   return {product, __builtin_fma(a, b, -product)};
 #else
   constexpr double kSplitter = 134217729.0;  // 2²⁷ + 1

@@ -27,7 +27,7 @@ struct SinCos {
 
 /** a·b + c: one rounding and one instruction where the processor has it. */
 POINSOT_INLINE double mulAdd(double a, double b, double c) {
-#ifdef __FP_FAST_FMA
+#ifdef POINSOT_FMA
   return __builtin_fma(a, b, c);
 #else
   return a * b + c;
