@@ -65,7 +65,8 @@ struct Task {
 Eigen::Quaterniond normalised(double w, double x, double y, double z) {
   const long double lw = w, lx = x, ly = y, lz = z;
   const long double norm = std::sqrt(lw * lw + lx * lx + ly * ly + lz * lz);
-  return Eigen::Quaterniond(lw / norm, lx / norm, ly / norm, lz / norm);
+  const auto share = [norm](long double part) { return static_cast<double>(part / norm); };
+  return Eigen::Quaterniond(share(lw), share(lx), share(ly), share(lz));
 }
 
 Task readTask(const CsvRow& row) {
