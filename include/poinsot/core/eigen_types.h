@@ -15,7 +15,9 @@
  */
 namespace poinsot {
 
+/** A quaternion whose layout does not depend on the compiler's flags. */
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+/** A vector of four whose layout does not depend on the compiler's flags. */
 using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 
 static_assert(alignof(Quaternion) == alignof(double) && sizeof(Quaternion) == 4 * sizeof(double), "as plain doubles");
