@@ -147,8 +147,8 @@ void say(const std::vector<std::string>& sentences) {
 void run(const Options& options) {
   checkFiles(options);
   const double duration = readPositive("--duration", options.duration, "s");
-  const std::optional<double> given_rate =
-      options.rate.empty() ? std::nullopt : std::optional<double>(readPositive("--rate", options.rate, "Hz"));
+  std::optional<double> given_rate;
+  if (!options.rate.empty()) given_rate = readPositive("--rate", options.rate, "Hz");
 
   scene::Scene scene = scene::readFile(options.scene, {duration});
   say(scene.warnings);

@@ -37,7 +37,9 @@ inline RotationState integrateFinely(const Eigen::Vector3d& moments, const Rotat
     for (int i = 0; i < 7; ++i) s[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
   }
   RotationState out;
-  out.attitude = Eigen::Quaterniond(s[0], s[1], s[2], s[3]).normalized();
+  out.attitude = Eigen::Quaterniond(static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2]),
+                                    static_cast<double>(s[3]))
+                     .normalized();
   out.momentum_body = {static_cast<double>(s[4] * m1), static_cast<double>(s[5] * m2), static_cast<double>(s[6] * m3)};
   return out;
 }

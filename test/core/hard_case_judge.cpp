@@ -43,7 +43,7 @@ std::set<std::int64_t> looks(const HardCase& c, double turn) {
   std::set<std::int64_t> out;
   const double steps_in_turn = std::max(1.0, std::ceil(2 * kPi / turn / std::abs(c.step)));
   for (std::int64_t n = 1; n <= 8; ++n) out.insert(n);
-  if (steps_in_turn < c.steps) {
+  if (steps_in_turn < static_cast<double>(c.steps)) {
     for (int i = 1; i <= 16; ++i) out.insert(static_cast<std::int64_t>(std::ceil(steps_in_turn * i / 16)));
   }
   for (int i = 1; i <= 64; ++i) out.insert(c.steps * i / 64);
@@ -117,7 +117,7 @@ Measured measure(const Method& method, const HardCase& c) {
     }
     n = next;
     if (!run.look(n, state.attitude, state.momentum_body.cast<Real>())) break;
-    const double error = angleBetween(truth.at(n * c.step).attitude, state.attitude);
+    const double error = angleBetween(truth.at(static_cast<double>(n) * c.step).attitude, state.attitude);
     run.measured.attitude = std::max(run.measured.attitude, error);
     const double done = static_cast<double>(n * in_step);
     if (done > 0 && (n == 1 || done < 1 + 1e-9)) {
@@ -132,7 +132,7 @@ Measured measureClosedForm(const HardCase& c) {
   const ClosedForm form(c.moments, c.attitude, c.omega);
   Run run(c);
   for (const std::int64_t n : looks(c, orbitRates(c.moments, c.omega).turn)) {
-    const ClosedForm::State state = form.at(n * c.step);
+    const ClosedForm::State state = form.at(static_cast<double>(n) * c.step);
     if (!run.look(n, state.attitude, c.moments.cast<Real>().cwiseProduct(state.omega_body.cast<Real>()))) break;
   }
   return run.measured;

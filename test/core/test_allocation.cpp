@@ -70,7 +70,7 @@ TEST(Allocation, firstUseAllocatesNothing) {
 }
 
 /** Far times for the first time in the process: Boost makes its constants, once, which the header says. */
-int allocationsOfBoostsConstants() {
+long allocationsOfBoostsConstants() {
   const ClosedForm form({1, 2, 3}, Eigen::Quaterniond::Identity(), {0.6, 0.5, 0.7});
   const AllocationCounter counter;
   for (const double t : {1e17, 1e300}) sink = form.at(t).attitude.w();

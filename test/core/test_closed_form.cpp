@@ -447,7 +447,7 @@ TEST(ClosedFormState, theSignOfTheQuaternionDoesNotJump) {
     expectSmooth(form.sample(-reach, dt, n), body);
     ClosedForm::Samples singly(n, 7);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const ClosedForm::State state = form.at(-reach + i * dt);
+      const ClosedForm::State state = form.at(-reach + static_cast<double>(i) * dt);
       const Eigen::Vector4d q(state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z());
       singly.row(i) << q.transpose(), state.omega_body.transpose();
     }

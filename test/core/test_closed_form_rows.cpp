@@ -44,7 +44,7 @@ struct TimeGrid {
   }
   /** t₀ + place·dt is t, not only when rounded. */
   bool meets(double t) const {
-    const double way = place * dt;
+    const double way = static_cast<double>(place) * dt;
     return std::isfinite(t0) && std::isfinite(way) && std::fma(-static_cast<double>(place), dt, way) == 0 &&
            static_cast<long double>(t0) + way == t && std::fma(static_cast<double>(place), dt, t0) == t;
   }
@@ -104,7 +104,7 @@ TEST_P(ClosedFormRows, sample) {
 
 INSTANTIATE_TEST_SUITE_P(Files, ClosedFormRows,
                          testing::Values(File{"public.csv", 69}, File{"closed_form_rows.csv", 313}),
-                         [](const auto& info) { return info.index == 0 ? "published" : "others"; });
+                         [](const auto& instance) { return instance.index == 0 ? "published" : "others"; });
 
 TEST(ClosedFormGrids, atAThousandMillionSeconds) {
   // The rows of a grid follow one another: one body at 1e9 s + k/64 s, k = 0 … 8.

@@ -46,21 +46,21 @@ Vector3d torqueByDefinition(const std::vector<Effect>& effects, const Matrix3d& 
                             const Vector3d& omega, const Vector3d& sigma) {
   Vector3d sum = Vector3d::Zero();
   for (const Effect& effect : effects) {
-    if (const auto* e = std::get_if<ConstantTorque>(&effect)) {
-      sum += e->axes == Axes::body ? e->torque : Vector3d(r.transpose() * e->torque);
-    } else if (const auto* e = std::get_if<GravityTorque>(&effect)) {
-      sum += e->centre_of_mass.cross(r.transpose() * (e->mass * e->gravity));
-    } else if (const auto* e = std::get_if<GravityGradient>(&effect)) {
-      const Vector3d n = e->orbit_normal.normalized(), start = e->radial_at_start.normalized();
-      const Vector3d radial = Eigen::AngleAxisd(e->orbit_rate * t, n) * start;
+    if (const auto* constant = std::get_if<ConstantTorque>(&effect)) {
+      sum += constant->axes == Axes::body ? constant->torque : Vector3d(r.transpose() * constant->torque);
+    } else if (const auto* gravity = std::get_if<GravityTorque>(&effect)) {
+      sum += gravity->centre_of_mass.cross(r.transpose() * (gravity->mass * gravity->gravity));
+    } else if (const auto* gradient = std::get_if<GravityGradient>(&effect)) {
+      const Vector3d n = gradient->orbit_normal.normalized(), start = gradient->radial_at_start.normalized();
+      const Vector3d radial = Eigen::AngleAxisd(gradient->orbit_rate * t, n) * start;
       const Vector3d u = r.transpose() * radial;
-      sum += 3 * e->orbit_rate * e->orbit_rate * u.cross(inertia * u);
-    } else if (const auto* e = std::get_if<ViscousDamping>(&effect)) {
-      sum -= e->coefficients.cwiseProduct(omega);
-    } else if (const auto* e = std::get_if<InternalDissipation>(&effect)) {
-      sum -= e->damping * (omega - sigma);
-    } else if (const auto* e = std::get_if<TorqueSchedule>(&effect)) {
-      for (const auto& s : e->segments) {
+      sum += 3 * gradient->orbit_rate * gradient->orbit_rate * u.cross(inertia * u);
+    } else if (const auto* viscous = std::get_if<ViscousDamping>(&effect)) {
+      sum -= viscous->coefficients.cwiseProduct(omega);
+    } else if (const auto* slug = std::get_if<InternalDissipation>(&effect)) {
+      sum -= slug->damping * (omega - sigma);
+    } else if (const auto* schedule = std::get_if<TorqueSchedule>(&effect)) {
+      for (const auto& s : schedule->segments) {
         if (t < s.from || t >= s.to) continue;
         sum += s.axes == Axes::body ? s.torque : Vector3d(r.transpose() * s.torque);
       }

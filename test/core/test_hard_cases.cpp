@@ -38,7 +38,7 @@ TEST_P(EveryMethodMeets, everyHardCase) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HardCases, EveryMethodMeets, ::testing::ValuesIn(methods()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 /** Runs a scheme as simply as can be: no guard over it, nothing restored. */
 template <class Scheme>

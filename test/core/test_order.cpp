@@ -16,7 +16,7 @@ namespace {
 double errorAt(const Stepper& stepper, const RotationState& start, const RotationState& truth, double t,
                std::int64_t n) {
   RotationState state = start;
-  stepper.advance(state, t / n, n);
+  stepper.advance(state, t / static_cast<double>(n), n);
   return angleBetween(state.attitude, truth.attitude);
 }
 

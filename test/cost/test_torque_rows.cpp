@@ -81,7 +81,7 @@ TEST_P(TorqueRows, ofTorqueRowsCsvAreMetByWhatIsChosen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(To, TorqueRows, testing::Values("1e-4", "1e-9", "1e-12"),
-                         [](const auto& info) { return "accuracy1em" + std::string(info.param).substr(3); });
+                         [](const auto& instance) { return "accuracy1em" + std::string(instance.param).substr(3); });
 
 // The comparison can fail: a sign, a frame, a digit.
 TEST(TorqueRowsJudge, seesASmallChangeOfTheTorque) {

@@ -104,7 +104,7 @@ TEST_P(PropagateInClosedForm, decimalNumbersGiveTheSameBytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, PropagateInClosedForm, testing::Values(kPublished, kOthers),
-                         [](const auto& info) { return info.index == 0 ? "published" : "others"; });
+                         [](const auto& instance) { return instance.index == 0 ? "published" : "others"; });
 
 TEST(PropagateInClosedFormTable, hexadecimalColumnsTakeThePlaceOfTheDecimalOnes) {
   // Else the rows would be judged on the decimal columns alone.
