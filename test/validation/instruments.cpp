@@ -49,7 +49,7 @@ std::vector<double> signChanges(Motion& motion, const Reading& reading, std::siz
   const auto value = [&](double t) { return reading(motion.at(t)); };
   double t = 0, now = value(0);
   for (long i = 1; i <= most && times.size() < count; ++i) {
-    const double next = i * stride, then = value(next);
+    const double next = static_cast<double>(i) * stride, then = value(next);
     if ((now < 0) != (then < 0)) times.push_back(root(value, t, next, now, then));
     t = next;
     now = then;
@@ -85,7 +85,8 @@ double turned(Motion& motion, const Reading& angle, double t0, double t1, double
   const long count = static_cast<long>(std::ceil(std::abs((t1 - t0) / stride)));
   double sum = 0, last = angle(motion.at(t0));
   for (long i = 1; i <= count; ++i) {
-    const double next = angle(motion.at(i == count ? t1 : t0 + (t1 - t0) * i / count));
+    const double next =
+        angle(motion.at(i == count ? t1 : t0 + (t1 - t0) * static_cast<double>(i) / static_cast<double>(count)));
     sum += difference(next, last);
     last = next;
   }
@@ -95,7 +96,8 @@ double turned(Motion& motion, const Reading& angle, double t0, double t1, double
 double whenTurned(Motion& motion, const Reading& angle, double by, double stride, long most) {
   double t = 0, sum = 0, last = angle(motion.at(0));
   for (long i = 1; i <= most; ++i) {
-    const double next = i * stride, then = angle(motion.at(next)), after = sum + difference(then, last);
+    const double next = static_cast<double>(i) * stride, then = angle(motion.at(next)),
+                 after = sum + difference(then, last);
     if (std::abs(after) >= by) {
       const double goal = std::copysign(by, after);
       const auto missing = [&](double at) { return sum + difference(angle(motion.at(at)), last) - goal; };

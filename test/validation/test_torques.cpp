@@ -54,18 +54,19 @@ std::string number(double value) {
 
 std::string written(const Effect& effect) {
   std::string keys;
-  if (const auto* e = std::get_if<ConstantTorque>(&effect)) {
-    keys = "frame: " + std::string(e->axes == Axes::body ? "body" : "world") + ", torque: " + list(e->torque);
-  } else if (const auto* e = std::get_if<GravityTorque>(&effect)) {
-    keys =
-        "mass: " + number(e->mass) + ", gravity: " + list(e->gravity) + ", centre_of_mass: " + list(e->centre_of_mass);
-  } else if (const auto* e = std::get_if<GravityGradient>(&effect)) {
-    keys = "orbit_rate: " + number(e->orbit_rate) + ", orbit_normal: " + list(e->orbit_normal) +
-           ", radial_at_start: " + list(e->radial_at_start);
-  } else if (const auto* e = std::get_if<ViscousDamping>(&effect)) {
-    keys = "coefficient: " + list(e->coefficients);
-  } else if (const auto* e = std::get_if<InternalDissipation>(&effect)) {
-    keys = "slug_inertia: " + number(e->slug_inertia) + ", damping: " + number(e->damping);
+  if (const auto* constant = std::get_if<ConstantTorque>(&effect)) {
+    keys = "frame: " + std::string(constant->axes == Axes::body ? "body" : "world") +
+           ", torque: " + list(constant->torque);
+  } else if (const auto* gravity = std::get_if<GravityTorque>(&effect)) {
+    keys = "mass: " + number(gravity->mass) + ", gravity: " + list(gravity->gravity) +
+           ", centre_of_mass: " + list(gravity->centre_of_mass);
+  } else if (const auto* gradient = std::get_if<GravityGradient>(&effect)) {
+    keys = "orbit_rate: " + number(gradient->orbit_rate) + ", orbit_normal: " + list(gradient->orbit_normal) +
+           ", radial_at_start: " + list(gradient->radial_at_start);
+  } else if (const auto* viscous = std::get_if<ViscousDamping>(&effect)) {
+    keys = "coefficient: " + list(viscous->coefficients);
+  } else if (const auto* slug = std::get_if<InternalDissipation>(&effect)) {
+    keys = "slug_inertia: " + number(slug->slug_inertia) + ", damping: " + number(slug->damping);
   }
   return "{type: " + nameOf(effect) + ", " + keys + "}";
 }

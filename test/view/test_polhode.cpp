@@ -48,7 +48,7 @@ void expectSound(const Body& b, const Polhode& result, double tolerance = 1e-12)
       }
     }
     if (n > 1) {
-      EXPECT_LT(longest, 1.5 * total / n) << b.moments.transpose() << "; " << b.omega.transpose();
+      EXPECT_LT(longest, 1.5 * total / static_cast<double>(n)) << b.moments.transpose() << "; " << b.omega.transpose();
     }
   }
   const auto& first = result.branches[0].points;
