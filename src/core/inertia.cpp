@@ -41,7 +41,7 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
 
   // Scaled so that no product inside the solver leaves the range of doubles.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric / largest);
-  const Eigen::Vector3d ratios = solver.eigenvalues();
+  const Eigen::Vector3d& ratios = solver.eigenvalues();
   if (!(ratios[0] > kSmallestMomentRatio * ratios[2])) {
     refuse(std::string("the inertia tensor is not positive definite") + (ratios[0] > 0 ? " beyond roundoff" : "") +
            ": its principal moments are " + shown(ratios[0] * largest) + ", " + shown(ratios[1] * largest) + ", " +

@@ -162,7 +162,7 @@ std::optional<Assembly> boxOnPivot(const PrincipalInertia& inertia, const Gravit
   const Eigen::Matrix3d about_centre =
       inertia.tensor() - weight.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_centre);
-  const Eigen::Vector3d moments = solver.eigenvalues();
+  const Eigen::Vector3d& moments = solver.eigenvalues();
   if (!moments.allFinite() || !(moments.minCoeff() > 0)) return std::nullopt;  // no body has these
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) *= -1;

@@ -65,7 +65,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   Parameters out;
   const bool has_tree = handle.hasParam(names::kScene);
   const bool has_file = handle.hasParam(names::kSceneFile);
-  const std::string here = handle.getNamespace();
+  const std::string& here = handle.getNamespace();
   if (has_tree == has_file) {
     throw ParameterError(here + ": " + (has_tree ? "both" : "neither") +
                          " ~scene (the tree of a scene file) and ~scene_file (its path) are set; one of them must be");

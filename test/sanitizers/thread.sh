@@ -9,7 +9,7 @@ rostests=(ros_control ros_changes ros_grip)
 export build=$build/thread_sanitized
 needs=("${rostests[@]/#/needs_}")
 build_package -DCATKIN_ENABLE_TESTING=ON -DPOINSOT_BUILD_PANEL=OFF -DPOINSOT_SANITIZE=thread misuse "${needs[@]/%/.test}"
-source "$here/expect.sh"
+source "$here/../expect.sh"
 stay_on_loopback "$(free_port)"
 export ROS_HOME=${ROS_HOME:-$build/ros_home}
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by the scripts beside it: checks, counted, each a line as scripts/test.sh reads them.
+# Sourced by scripts that build in a directory of their own: checks, counted, each a line as scripts/test.sh reads them.
 # shellcheck disable=SC2154  # build: common.sh
 set +e
 passed=0 failed=0
@@ -16,7 +16,7 @@ expect() {
   else
     failed=$((failed + 1))
     echo "FAIL  $name: exit $got, expected $code and /$pattern/; its output is in $log"
-    { grep -m 1 -A 40 -E 'runtime error|ERROR: |WARNING: ThreadSanitizer|Failure$|FAILURE' "$log" || tail -n 15 "$log"; } |
+    { grep -m 1 -A 40 -E 'runtime error|[ :]error: |ERROR: |WARNING: ThreadSanitizer|Failure$|FAILURE' "$log" || tail -n 15 "$log"; } |
       sed 's/^/        /'
   fi
 }
