@@ -10,8 +10,8 @@ source "$here/../../scripts/common.sh"
 # Left out of test_core are two that would take most of the time and run code that others run as well: the search for a step
 # from 1e9 s downwards (stiffDampingIsHopelessForMethodsThatDoNotCut searches too), and a million steps in a row.
 programs=(test_core test_closed_form_rows test_closed_form_properties test_hard_cases)
-left_out=OlderProcessors*:*sample/others*:ClosedFormAnyInput*:*samplesAreSingleEvaluations*
-left_out+=:TorqueStepLimits.shortStepsAreSoundAndLongOnesHopeless:HardEffects.theQuaternionStaysUnitForAMillionSteps
+left_out='OlderProcessors*:*sample/others*:ClosedFormAnyInput*:*samplesAreSingleEvaluations*'
+left_out+=':TorqueStepLimits.shortStepsAreSoundAndLongOnesHopeless:HardEffects.theQuaternionStaysUnitForAMillionSteps'
 
 export build=$build/sanitized
 build_package -DCATKIN_ENABLE_TESTING=ON -DPOINSOT_BUILD_PANEL=OFF -DPOINSOT_SANITIZE=address misuse "${programs[@]}"
