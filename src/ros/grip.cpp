@@ -1,6 +1,7 @@
 #include "poinsot/ros/grip.h"
 
 #include <cmath>
+#include <optional>
 
 #include "poinsot/ros/brush.h"
 #include "poinsot/ros/conversions.h"
@@ -43,6 +44,13 @@ Marker ball() {
     }
   }
   makeUnlit(out);
+  return out;
+}
+
+geometry_msgs::Pose poseAt(const Eigen::Vector3d& point) {
+  geometry_msgs::Pose out;
+  out.position = toPoint(point);
+  out.orientation.w = 1;
   return out;
 }
 
@@ -102,8 +110,7 @@ void Grip::make(const std::string& body, const std::string& frame, const Eigen::
   grip.header.frame_id = frame;
   grip.name = body;
   grip.scale = static_cast<float>(kDiameter);
-  grip.pose.position = toPoint(point);
-  grip.pose.orientation.w = 1;
+  grip.pose = poseAt(point);
 
   InteractiveMarkerControl control;
   control.name = "lead";
@@ -122,29 +129,32 @@ void Grip::make(const std::string& body, const std::string& frame, const Eigen::
 
 void Grip::place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
   const auto there = frames_.find(body);
-  if (there == frames_.end() || there->second != frame) {
-    make(body, frame, point);
+  const bool is_new = there == frames_.end() || there->second != frame;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto place = places_.find(body);
+    if (!is_new && place != places_.end() && place->second == point) return;
     places_[body] = point;
-    return;
   }
-  const auto place = places_.find(body);
-  if (place != places_.end() && place->second == point) return;
-  places_[body] = point;
-  geometry_msgs::Pose pose;
-  pose.position = toPoint(point);
-  pose.orientation.w = 1;
-  server_.setPose(body, pose);
+  if (is_new) {
+    make(body, frame, point);
+  } else {
+    server_.setPose(body, poseAt(point));
+  }
 }
 
 void Grip::remove(const std::string& body) {
+  if (frames_.erase(body) == 0) return;
+  server_.erase(body);
+  const std::lock_guard<std::mutex> lock(mutex_);
   places_.erase(body);
-  if (frames_.erase(body) > 0) server_.erase(body);
 }
 
 void Grip::removeAll() {
   frames_.clear();
-  places_.clear();
   server_.clear();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  places_.clear();
 }
 
 void Grip::showKept(view::Keep keep) {
@@ -157,6 +167,18 @@ void Grip::apply() {
   server_.applyChanges();
 }
 
+// The server takes the hand's place, whatever it is, for the grip's. It calls back while it holds its own lock, so
+// nothing is sent in between.
+void Grip::putBack(const std::string& body) {
+  std::optional<Eigen::Vector3d> place;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = places_.find(body);
+    if (found != places_.end()) place = found->second;
+  }
+  if (place) server_.setPose(body, poseAt(*place));
+}
+
 void Grip::add(const Feedback& feedback) {
   Touch out;
   switch (feedback->event_type) {
@@ -165,6 +187,7 @@ void Grip::add(const Feedback& feedback) {
       break;
     case InteractiveMarkerFeedback::POSE_UPDATE:
       out.kind = Touch::Kind::lead;
+      putBack(feedback->marker_name);
       break;
     case InteractiveMarkerFeedback::MOUSE_UP:
       out.kind = Touch::Kind::let_go;

@@ -390,7 +390,6 @@ void Node::press(std::size_t body) {
 void Node::lead(const Touch& touch) {
   const std::size_t i = indexOf(touch.body);
   const MovingBody& body = *bodies_[i];
-  grip_->forget(touch.body);  // the server took the hand's place for the grip's
   if (touch.frame != body.frames().model) {
     throw scene::Error("grip of " + touch.body + ": a place in frame \"" + touch.frame + "\"; allowed: frame " +
                        body.frames().model);
@@ -451,7 +450,6 @@ void Node::endHold() {
   if (!hold_) return;
   const bool has_preview = hold_->preview != nullptr;
   clock_.pause(hold_->was_paused);
-  grip_->forget(bodies_[hold_->body]->name());
   hold_.reset();
   if (!has_preview) return;
   markers_static_publisher_.publish(staticMarkers());

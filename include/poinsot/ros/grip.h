@@ -51,8 +51,6 @@ class Grip {
 
   /** Puts the grip of a body there, makes it if need be. @param point in the frame [m], finite. */
   void place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
-  /** The next place() is sent even if it is where the grip was put last: a hand has moved it since. */
-  void forget(const std::string& body) { places_.erase(body); }
   void remove(const std::string& body);
   void removeAll();
   /** Marks the ellipsoid on which Ω is led in the menus. */
@@ -67,6 +65,8 @@ class Grip {
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
   void make(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
   void add(const Feedback& feedback);
+  /** A hand has moved the grip; where it is, is the node's affair. */
+  void putBack(const std::string& body);
   interactive_markers::MenuHandler::EntryHandle entry(interactive_markers::MenuHandler::EntryHandle parent,
                                                       const std::string& title, const Touch& touch);
 
@@ -77,8 +77,8 @@ class Grip {
   std::map<interactive_markers::MenuHandler::EntryHandle, Touch> meaning_;  ///< of the menu's entries
   ros::Publisher update_;                          ///< the server's own topic, to count who listens
   std::map<std::string, std::string> frames_;      ///< of the grips that there are
+  std::mutex mutex_;                               ///< of what follows; nothing of the server is called under it
   std::map<std::string, Eigen::Vector3d> places_;  ///< where they were put last
-  std::mutex mutex_;                               ///< of what follows
   std::vector<Touch> touches_;
 };
 
