@@ -37,27 +37,39 @@ use_ccache() {
   export CCACHE_DIR CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
 }
 
-# build_package [-DOPTION=VALUE ...] TARGET ...: configures and builds (Release unless the build directory or an option says
-# otherwise). A new build directory is without tests and benchmarks, which need more packages, unless an option asks for them.
-build_package() {
-  local log=$build/build.log options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
-  mkdir -p "$build"
-  use_ccache "$root"
-  if [ ! -f "$build/CMakeCache.txt" ]; then
-    options+=(-DCATKIN_ENABLE_TESTING=OFF -DPOINSOT_BUILD_BENCHMARKS=OFF)
-    [ -n "${CCACHE_DIR:-}" ] && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-    command -v ninja > /dev/null && options+=(-G Ninja)
-  fi
-  while [[ ${1:-} == -D* ]]; do
-    options+=("$1")
-    shift
-  done
-  if ! { cmake -S "$root" -B "$build" "${options[@]}" &&
-         cmake --build "$build" --parallel "$(nproc)" --target "$@"; } > "$log" 2>&1; then
+# logged COMMAND...: its output goes to build/build.log, and is shown where it fails.
+logged() {
+  local log=$build/build.log
+  if ! "$@" > "$log" 2>&1; then
     grep -nE -A4 'error|Error' "$log" | head -60 >&2 || true
     tail -n 20 "$log" >&2
     fail "the build failed; all of its output is in $log"
   fi
+}
+
+# configure_package [-DOPTION=VALUE ...]: Release unless the build directory or an option says otherwise. A new build
+# directory is without tests and benchmarks, which need more packages, unless an option asks for them.
+configure_package() {
+  local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
+  mkdir -p "$build"
+  use_ccache "$root"
+  if [ ! -f "$build/CMakeCache.txt" ]; then
+    options+=(-DCATKIN_ENABLE_TESTING=OFF -DPOINSOT_BUILD_BENCHMARKS=OFF)
+    [ -z "${CCACHE_DIR:-}" ] || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    ! command -v ninja > /dev/null || options+=(-G Ninja)
+  fi
+  logged cmake -S "$root" -B "$build" "${options[@]}" "$@"
+}
+
+# build_package [-DOPTION=VALUE ...] TARGET ...: configures and builds.
+build_package() {
+  local options=()
+  while [[ ${1:-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
+  configure_package "${options[@]}"
+  logged cmake --build "$build" --parallel "$(nproc)" --target "$@"
   # rosrun finds no program below a package's own build/, but follows links.
   ln -sfn build/devel/lib/poinsot "$root/bin"
 }

@@ -47,9 +47,8 @@ options=(-DCATKIN_ENABLE_TESTING=ON)
 stay_on_loopback "$(free_port)"
 unset DISPLAY
 
-configure() { build_package "${options[@]}" clean_test_results; }
 tests() { /usr/bin/python3 "$root/test/tests.py" "$@"; }
-stage configuring configure
+stage configuring configure_package "${options[@]}"
 if [ $list = yes ]; then
   case $chosen in
     quick | all) tests list "$build" ;;

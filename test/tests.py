@@ -4,13 +4,15 @@
 Usage: tests.py list BUILD [PATTERN]
        tests.py names BUILD quick|all|PATTERN
        tests.py needs BUILD quick|all|PATTERN
+       tests.py count RESULTS
        tests.py report BUILD TIMES
 
 list: a line for each test: name, tier, usual duration [s]. names: the CTest names of a tier, or of the tests whose name
-matches the regular expression, one a line; exit 2 when there is none. needs: the targets that these need built. report: reads what ctest left (BUILD/ctest.xml)
+matches the regular expression, one a line; exit 2 when there is none. needs: the targets that these need built. count: adds up
+the JUnit files below a directory, prints what failed and last "N passed, M failed". report: reads what ctest left (BUILD/ctest.xml)
 and what the tests wrote (BUILD/test_results), and prints each test's counts, what failed, the time of each stage, the
 ten slowest tests, and last "N passed, M failed". TIMES holds lines "stage,seconds" of what was no test. All durations
-go to BUILD/test_durations.csv. Exit of report: 0 when all passed, 1 when something failed, crashed, or nothing ran.
+go to BUILD/test_durations.csv. Exit of count and report: 0 when all passed, 1 when something failed, crashed, or nothing ran.
 """
 import collections
 import csv
@@ -125,6 +127,11 @@ def counted(results):
     return total
 
 
+def verdict(total):
+    print("%d passed, %d failed" % (total["passed"], total["failed"]))
+    return 1 if total["failed"] or not total["passed"] else 0
+
+
 def ran(build):
     """[(name, seconds, passed, reason)] of ctest's own report."""
     out = []
@@ -183,8 +190,7 @@ def report(build, times):
 
     print("\n== result")
     print("%d skipped, see above" % total["skipped"] if total["skipped"] else "nothing was skipped")
-    print("%d passed, %d failed" % (total["passed"], total["failed"]))
-    return 1 if total["failed"] or not total["passed"] else 0
+    return verdict(total)
 
 
 def main():
@@ -195,6 +201,8 @@ def main():
         return print_each([test.ctest for test in chosen(words[1], words[2])])
     if words[:1] == ["needs"] and len(words) == 3:
         return print_each(["needs_" + re.sub("[^A-Za-z0-9_.-]", "_", test.name) for test in chosen(words[1], words[2])])
+    if words[:1] == ["count"] and len(words) == 2:
+        return verdict(counted(words[1]))
     if words[:1] == ["report"] and len(words) == 3:
         return report(words[1], words[2])
     print(__doc__)

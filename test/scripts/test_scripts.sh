@@ -136,13 +136,30 @@ kill "$display_pid"
 # What counts the results must see a failure, a crash and an empty run.
 mkdir "$work/results" "$work/none"
 printf '<testsuite><testcase classname="a" name="b" status="run"/></testsuite>' > "$work/results/good.xml"
-count() { python3 "$root/scripts/count_tests.py" "$1"; }
-expect "a good result counts as passed" 0 '^1 0 0$' count "$work/results"
+count() { /usr/bin/python3 "$root/test/tests.py" count "$1"; }
+expect "a good result counts as passed" 0 '^1 passed, 0 failed$' count "$work/results"
 printf '<testsuite><testcase classname="a" name="b"><failure message="broken"/></testcase></testsuite>' > "$work/results/bad.xml"
-expect "a failure counts as failed" 1 '^1 1 0$' count "$work/results"
+expect "a failure counts as failed" 1 '^1 passed, 1 failed$' count "$work/results"
 printf '<testsuite><testcase' > "$work/results/bad.xml"
-expect "a file that was cut off counts as failed" 1 '^1 1 0$' count "$work/results"
-expect "no result at all counts as failed" 1 '^0 1 0$' count "$work/none"
+expect "a file that was cut off counts as failed" 1 '^1 passed, 1 failed$' count "$work/results"
+expect "no result at all counts as failed" 1 '^0 passed, 1 failed$' count "$work/none"
+
+# What turns the lines of a script into results must see a failure, a crash, a miscount and a script that checks nothing.
+script_result() { /usr/bin/python3 "$root/test/script_result.py" "$work/script/script-s.xml" "$work/script/log" bash -c "$1"; }
+mkdir "$work/script"
+expect "a script that passes is a result that passes" 0 '1 passed' script_result 'echo "PASS  a"; echo "1 passed, 0 failed"'
+expect "and counts as one" 0 '^1 passed, 0 failed$' count "$work/script"
+expect "a check that fails is noticed" 1 '' script_result 'echo "FAIL  a"; echo "0 passed, 1 failed"; exit 1'
+expect "and counted" 1 '^0 passed, 1 failed$' count "$work/script"
+expect "a script that breaks off is noticed" 1 '' script_result 'echo "PASS  a"; kill -9 $$'
+expect "and counted as a failure" 1 '^1 passed, 1 failed$' count "$work/script"
+expect "a last line that counts something else is noticed" 1 '' script_result 'echo "PASS  a"; echo "2 passed, 0 failed"'
+expect "an exit code that contradicts it is noticed" 1 '' script_result 'echo "PASS  a"; echo "1 passed, 0 failed"; exit 1'
+expect "a script that checks nothing is noticed" 1 '' script_result 'echo "0 passed, 0 failed"'
+
+# The choice of tests.
+expect "test.sh --list names tests with their tier" 0 '^test_core +quick' "$root/scripts/test.sh" --list
+expect "test.sh --only of nothing is refused" 2 "no test matches 'no_such_test'" "$root/scripts/test.sh" --only no_such_test
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
