@@ -7,8 +7,10 @@
 #     A rostest file. Its master and, where it has one, its display are its own.
 #   poinsot_launch_files(DIRECTORY TIER quick|long [DEPENDS TARGET...])
 #     The test launch_files: roslaunch can read the launch files of a directory, and finds what they need.
-#   poinsot_script(NAME TIER quick|long COMMAND PROGRAM [ARGUMENT...] [DEPENDS TARGET...] [ALONE | ALL_CORES] [STAGE NAME])
+#   poinsot_script(NAME TIER quick|long [ALONE | ALL_CORES] [IN_DEVEL] [STAGE NAME] COMMAND PROGRAM [ARGUMENT...]
+#                  [DEPENDS TARGET...])
 #     A program that prints a line "PASS  words" or "FAIL  words" for each check and, last, "N passed, M failed".
+#     IN_DEVEL: it runs in the environment of the devel space.
 #
 # TIER: quick is what scripts/test.sh runs, long what it adds with --all. DEPENDS: what has to be built besides the test.
 # ALONE: it measures time, or takes something that there is once, so nothing else runs meanwhile. ALL_CORES: it keeps
@@ -104,11 +106,14 @@ function(poinsot_launch_files directory)
 endfunction()
 
 function(poinsot_script name)
-  cmake_parse_arguments(arg "" "TIER;STAGE" "COMMAND;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "IN_DEVEL" "TIER;STAGE" "COMMAND;DEPENDS" ${ARGN})
+  if(arg_IN_DEVEL)
+    set(environment ${CATKIN_ENV})
+  endif()
   if(NOT arg_STAGE)
     set(arg_STAGE ${name})
   endif()
-  add_test(NAME ${name} COMMAND ${PYTHON_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/script_result.py
+  add_test(NAME ${name} COMMAND ${environment} ${PYTHON_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/script_result.py
     ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/script-${name}.xml ${CMAKE_BINARY_DIR}/${name}.log ${arg_COMMAND})
   poinsot_register(${name} ${name} TIER ${arg_TIER} STAGE ${arg_STAGE} SLOTS ${POINSOT_SLOTS_A_CORE}
     DEPENDS ${arg_DEPENDS} ${arg_UNPARSED_ARGUMENTS})

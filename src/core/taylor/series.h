@@ -1,4 +1,6 @@
 // The recurrences. Included by one source file for each instruction set, which defines POINSOT_TAYLOR_LEVEL.
+#include <algorithm>
+
 #include "kernel.h"
 
 namespace poinsot::taylor {
@@ -80,7 +82,7 @@ inline double tail(const Four* c, int order) {
  */
 template <int carried>
 bool step(const Body& body, const Start& start, int order, double h, Increment& out) {
-  Coefficients omega, vectors[carried > 0 ? carried : 1];
+  Coefficients omega, vectors[std::max(carried, 1)];
   Four attitude[kMostOrder + 1];
   const int radial = body.fields, along = radial + 1, slug = radial + (body.gradient ? 2 : 0);
 
@@ -101,7 +103,7 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
   const double gradient = 3 * body.orbit_rate * body.orbit_rate;
 
   for (int k = 0; k < order; ++k) {
-    Four gyroscopic = {}, a1 = {}, a2 = {}, a3 = {}, cross[carried > 0 ? carried : 1] = {};
+    Four gyroscopic = {}, a1 = {}, a2 = {}, a3 = {}, cross[std::max(carried, 1)] = {};
     const auto add = [&](int j) {
       const int m = k - j;
       const Four w = omega.plain[j], w_yzx = omega.yzx[j], w_zxy = omega.zxy[j];
