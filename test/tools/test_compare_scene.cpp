@@ -39,7 +39,9 @@ TEST(CompareScene, aBodyOfSeveralIsTakenByItsName) {
     EXPECT_EQ(body["inertia"][0].as<double>(), 4);
     EXPECT_FALSE(body["accuracy"]);
     EXPECT_EQ(body["name"].as<std::string>() == "closed_form", !body["step"]);
-    if (body["step"]) EXPECT_EQ(body["step"].as<double>(), 0.01);
+    if (body["step"]) {
+      EXPECT_EQ(body["step"].as<double>(), 0.01);
+    }
   }
 }
 
