@@ -22,7 +22,8 @@ double contrast(const ColorRGBA& a, const ColorRGBA& b) {
   return std::max(x, y) / std::min(x, y);
 }
 ColorRGBA bytes(int r, int g, int b) {
-  return palette::colour(r / 255.f, g / 255.f, b / 255.f);
+  const auto share = [](int byte) { return static_cast<float>(byte) / 255.f; };
+  return palette::colour(share(r), share(g), share(b));
 }
 
 // The views' backgrounds.

@@ -39,7 +39,9 @@ class Mask {
   }
 
   bool at(int x, int y) const { return bits_[y * width_ + x]; }
-  double share() const { return static_cast<double>(std::count(bits_.begin(), bits_.end(), true)) / bits_.size(); }
+  double share() const {
+    return static_cast<double>(std::count(bits_.begin(), bits_.end(), true)) / static_cast<double>(bits_.size());
+  }
 
  private:
   int width_, height_;

@@ -62,7 +62,7 @@ class Rviz {
   /** Lets RViz work until the condition holds; true when it came to hold. */
   bool spinUntil(const std::function<bool()>& condition, double seconds) {
     QElapsedTimer timer;
-    for (timer.start(); timer.elapsed() < 1000 * seconds;) {
+    for (timer.start(); static_cast<double>(timer.elapsed()) < 1000 * seconds;) {
       QApplication::processEvents(QEventLoop::AllEvents, 20);
       if (condition()) return true;
     }

@@ -15,7 +15,7 @@ HostedRviz::HostedRviz(const QString& view) {
 
 bool HostedRviz::spinUntil(const std::function<bool()>& condition, double seconds) {
   QElapsedTimer timer;
-  for (timer.start(); timer.elapsed() < 1000 * seconds;) {
+  for (timer.start(); static_cast<double>(timer.elapsed()) < 1000 * seconds;) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
     if (condition()) return true;
   }

@@ -103,7 +103,7 @@ TEST(History, keepsItsWindowOnly) {
   for (int i = 0; i <= 60 * 60; ++i) history.add(sampleAt(i / 60.0, i / 60.0));
   EXPECT_NEAR(history[0].stamp, 40, 0.02);
   EXPECT_EQ(history[history.size() - 1].stamp, 60);
-  EXPECT_NEAR(history.size(), 20 * 60, 3);
+  EXPECT_NEAR(static_cast<double>(history.size()), 20 * 60, 3);
 }
 
 TEST(History, isBoundedHoweverFastTheNode) {

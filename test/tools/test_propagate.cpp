@@ -73,7 +73,7 @@ std::string rowWith(int column, const std::string& value) {
 TEST(Propagate, takesEqualStepsThatReachTheTimeExactly) {
   for (const Method& method : methods()) {
     for (const double t : {2.5, -2.5, 2.504, 1e-3}) {
-      const int n = std::ceil(std::abs(t) / 0.01);
+      const int n = static_cast<int>(std::ceil(std::abs(t) / 0.01));
       RotationState state = RotationState::fromOmega({1, 2, 3}, Eigen::Quaterniond::Identity(), {0.01, 1, 0.02});
       method.make({1, 2, 3})->advance(state, t / n, n);
       if (state.attitude.w() < 0) state.attitude.coeffs() *= -1;

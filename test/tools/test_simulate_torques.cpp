@@ -104,7 +104,9 @@ TEST_F(SimulateTorques, olderProcessorsGetTheSameToRounding) {
   std::ifstream in("/proc/cpuinfo");
   std::stringstream processor;
   processor << in.rdbuf();
-  if (processor.str().find(" avx2 ") != std::string::npos) EXPECT_GT(different, 0);
+  if (processor.str().find(" avx2 ") != std::string::npos) {
+    EXPECT_GT(different, 0);
+  }
 }
 
 TEST_F(SimulateTorques, defaultsToWhatIsAsGoodAsCanBe) {
