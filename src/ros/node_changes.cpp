@@ -379,7 +379,7 @@ void Node::press(std::size_t body) {
     if (!hold_->let_go) return;
   }
   endHold();
-  hold_.emplace();
+  hold_ = Hold();  // clang 14 takes no emplace(): where the optional is declared, Hold has no constructor yet
   hold_->body = body;
   hold_->was_paused = clock_.paused();
   hold_->taken_at = omegaPoint(*bodies_[body]);
