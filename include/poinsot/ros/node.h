@@ -91,7 +91,6 @@ class Node {
   // Taking hold of a spin. Points in the frame of the picture in body axes [m].
   /** A body that somebody holds. */
   struct Hold {
-    Hold() {}  // clang does not take the values below for a constructor as long as Node is incomplete
     std::size_t body = 0;
     bool was_paused = false;
     bool led = false;  ///< away from where it was taken
