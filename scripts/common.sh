@@ -48,14 +48,14 @@ logged() {
 }
 
 # configure_package [-DOPTION=VALUE ...]: Release unless the build directory or an option says otherwise. A new build
-# directory is without tests and benchmarks, which need more packages, unless an option asks for them. Where CI is set, a
-# warning ends the build.
+# directory is without tests and benchmarks, which need more packages, unless an option asks for them; where CI is set, a
+# warning ends its builds.
 configure_package() {
-  local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3 "-DPOINSOT_WARNINGS_ARE_ERRORS=${CI:+ON}")
+  local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
   mkdir -p "$build"
   use_ccache "$root"
   if [ ! -f "$build/CMakeCache.txt" ]; then
-    options+=(-DCATKIN_ENABLE_TESTING=OFF -DPOINSOT_BUILD_BENCHMARKS=OFF)
+    options+=(-DCATKIN_ENABLE_TESTING=OFF -DPOINSOT_BUILD_BENCHMARKS=OFF "-DPOINSOT_WARNINGS_ARE_ERRORS=${CI:+ON}")
     [ -z "${CCACHE_DIR:-}" ] || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     ! command -v ninja > /dev/null || options+=(-G Ninja)
   fi

@@ -19,36 +19,13 @@ copy_package() {
   package_files | tar -C "$root" --null -T - -cf - | tar -C "$1" -xf -
 }
 
-# start_checks DIRECTORY: checks run there, and leave what they print in its folder logs.
-start_checks() {
-  checks_in=$1 logs=$1/logs passed=0 failures=0
-  mkdir -p "$logs" "$1/home"
-  # Neither the user's ~/.ros, nor a workspace that the shell has sourced, nor another graph takes part.
-  use_ccache "$root"
+# leave_user_behind DIRECTORY: HOME is below it from here on, and neither a workspace that the shell has sourced nor another
+# graph takes part. ccache stays the user's, and knows files below the directory again in another one.
+leave_user_behind() {
+  use_ccache "$1"
+  mkdir -p "$1/home"
   export HOME=$1/home
   for name in $(compgen -e | grep -E '^(ROS_|CMAKE_PREFIX_PATH|LD_LIBRARY_PATH|PKG_CONFIG_PATH|CATKIN_)'); do unset "$name"; done
   user_graph=''
   stay_on_loopback "$(free_port)"
-}
-
-# check WORDS COMMAND...: runs the command in the directory of the checks and says how it went.
-check() {
-  local words=$1 log
-  shift
-  log=$logs/$(printf %s "$words" | tr -c 'A-Za-z0-9\n' _).log
-  if (cd "$checks_in" && "$@") > "$log" 2>&1; then
-    echo "PASS  $words"
-    passed=$((passed + 1))
-  else
-    echo "FAIL  $words ($log)"
-    tail -n 12 "$log" | sed 's/^/        /'
-    failures=$((failures + 1))
-  fi
-}
-
-# end_checks: counts them; what they left stays for looking at where one failed. Whether all passed.
-end_checks() {
-  if [ "$failures" -eq 0 ]; then rm -rf "$checks_in"; else echo "what was built, and its logs, are in $checks_in"; fi
-  echo "$passed passed, $failures failed"
-  [ "$failures" -eq 0 ]
 }

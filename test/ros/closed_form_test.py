@@ -71,7 +71,7 @@ class ClosedFormTest(unittest.TestCase):
     @classmethod
     def states_of(cls, namespace, name):
         listener = graph.Listener("%s/%s/state" % (namespace, name), BodyState)
-        graph.wait_for(listener.last, 30, "a state of " + name)
+        graph.wait_for(listener.last, what="a state of " + name)
         return listener
 
     def setUp(self):
@@ -160,7 +160,7 @@ class ClosedFormTest(unittest.TestCase):
 
     def test_description(self):
         listener = graph.Listener("/rows/forwards_P006/description", BodyDescription)
-        description = graph.wait_for(listener.last, 15, "a description")
+        description = graph.wait_for(listener.last, what="a description")
         listener.close()
         self.assertEqual(description.method, "closed_form")
         self.assertTrue(math.isnan(description.step))

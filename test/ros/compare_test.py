@@ -192,14 +192,14 @@ class CompareTest(unittest.TestCase):
                 return [s for message in self.diagnostics.all() for s in message.status
                         if s.name.endswith("body " + name) and
                         float({v.key: v.value for v in s.values}["simulation time [s]"]) > LATE]
-            return graph.wait_for(found, 15, "a diagnosis of " + name)[-1]
+            return graph.wait_for(found, what="a diagnosis of " + name)[-1]
         for name in self.names:
             status = status_of(name)
             values = {v.key: float(v.value) for v in status.values}
             self.assertIn("energy drift", values)
             self.assertGreater(values["cost [CPU s per simulated s]"], 0)
             then = values["simulation time [s]"]
-            graph.wait_for(lambda: self.states[name].last().time > then + 0.2, 15, "states around a diagnosis")
+            graph.wait_for(lambda: self.states[name].last().time > then + 0.2, what="states around a diagnosis")
             near = [s.attitude_error for s in self.states[name].all() if abs(s.time - then) < 0.2]
             self.assertLessEqual(values["attitude error [rad]"], 1.01 * max(near))
             self.assertGreaterEqual(values["attitude error [rad]"], 0.99 * min(near))

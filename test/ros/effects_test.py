@@ -288,7 +288,7 @@ class EffectsTest(unittest.TestCase):
 
     def test_z_seek_to_where_there_is_no_state_is_refused(self):
         listener = graph.Listener("/effects/damped/state", BodyState)
-        before = graph.wait_for(listener.last, 15, "a state")
+        before = graph.wait_for(listener.last, what="a state")
         since = self.log.count()
         self.control.seek(-1e5)
         message = self.log.next_where(lambda m: "seek" in m.msg and "refused" in m.msg, 60, since)

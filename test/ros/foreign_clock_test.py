@@ -72,7 +72,7 @@ class Time(object):
         def connected():
             subscribers = dict(rosgraph.Master("/foreign_clock_test").getSystemState()[1]).get("/clock", [])
             return node in subscribers and self._publisher.get_num_connections() >= len(subscribers)
-        graph.wait_for(connected, 30, node + " to listen to /clock")
+        graph.wait_for(connected, what=node + " to listen to /clock")
 
 
 class ForeignClockTest(unittest.TestCase):
@@ -126,8 +126,8 @@ class ForeignClockTest(unittest.TestCase):
             self.assertAlmostEqual(b.time - a.time, expected, delta=5e-9)
 
     def test_1_nothing_moves_before_the_clock_begins(self):
-        graph.wait_for(lambda: all(self.static_counts().values()), 15, "what is static")
-        time.sleep(1.0)
+        graph.wait_for(lambda: all(self.static_counts().values()), what="what is static")
+        time.sleep(1.0)  # there is no condition for what must not come
         for listener in self.moving():
             self.assertEqual(len(listener.all()), 0)
         for t in self.static["tf_static"].last().transforms:
@@ -136,7 +136,7 @@ class ForeignClockTest(unittest.TestCase):
     def test_2_begins_with_the_clock(self):
         self.time.set(START)
         self.time.run(1.0)
-        first = graph.wait_for(lambda: (self.states.all() or [None])[0], 15, "the first state")
+        first = graph.wait_for(lambda: (self.states.all() or [None])[0], what="the first state")
         self.assertLess(abs(first.time), 1e-12, "t begins at 0, whatever the clock says")
         self.assertGreaterEqual(first.header.stamp.to_sec(), START)
         self.states.next_where(lambda s: s.header.stamp.to_sec() > START + 2)
@@ -151,7 +151,7 @@ class ForeignClockTest(unittest.TestCase):
     def test_3_a_frozen_clock_repeats_no_stamp(self):
         self.hold()
         counts = [len(listener.all()) for listener in self.moving()]
-        time.sleep(1.0)
+        time.sleep(1.0)  # no condition here either
         self.assertEqual([len(listener.all()) for listener in self.moving()], counts)
         self.check_stamps(self.states.all())
         seen = set()
@@ -169,7 +169,7 @@ class ForeignClockTest(unittest.TestCase):
         self.assertEqual(self.states.last().header, before.header)
         self.states.clear()
         self.time.set(self.time.now() + 0.5)
-        after = graph.wait_for(lambda: (self.states.all() or [None])[0], 15, "a state")
+        after = graph.wait_for(lambda: (self.states.all() or [None])[0], what="a state")
         self.assertEqual((after.time, after.time_rate, after.segment), (0, 0, before.segment + 1))
         self.assertTrue(self.control.pause(False).success)
         self.quiet()
@@ -194,9 +194,9 @@ class ForeignClockTest(unittest.TestCase):
         static_before = {name: listener.last() for name, listener in self.static.items()}
         self.states.clear()
         self.time.set(self.time.now() - seconds)
-        graph.wait_for(lambda: all(n > counts[name] for name, n in self.static_counts().items()), 15,
-                       "what is static to be sent again")
-        after = graph.wait_for(lambda: (self.states.all() or [None])[0], 15, "a state after the jump")
+        graph.wait_for(lambda: all(n > counts[name] for name, n in self.static_counts().items()),
+                       what="what is static to be sent again")
+        after = graph.wait_for(lambda: (self.states.all() or [None])[0], what="a state after the jump")
         self.assertEqual(self.static["markers_static"].last().markers, static_before["markers_static"].markers)
         sent = self.static["tf_static"].last().transforms
         self.assertEqual({(t.header.frame_id, t.child_frame_id) for t in sent},
@@ -271,7 +271,7 @@ class ForeignClockTest(unittest.TestCase):
         self.time.wait_for_listener("/stepper/poinsot")
         states = graph.Listener("/stepper/top/state", BodyState)
         self.time.run(1.0)
-        graph.wait_for(states.last, 30, "a state")
+        graph.wait_for(states.last, what="a state")
         self.hold()
         before, after = self.jump_ahead(states)
         self.assertEqual(after.segment, before.segment + 1)

@@ -29,7 +29,7 @@ class NamespacesTest(unittest.TestCase):
         cls.control = {ns: graph.Control(ns + "/poinsot") for ns in PREFIXES}
         cls.states = {ns: graph.Listener(ns + "/wingnut/state", BodyState) for ns in PREFIXES}
         for states in cls.states.values():
-            graph.wait_for(states.last, 15, "a state")
+            graph.wait_for(states.last, what="a state")
 
     def setUp(self):
         for ns in PREFIXES:
@@ -93,7 +93,7 @@ class NamespacesTest(unittest.TestCase):
             for t in transforms():
                 children.setdefault(t.header.frame_id, set()).add(t.child_frame_id)
             return children
-        graph.wait_for(lambda: tree() == expected or len(self.tf.all()) > 600, 20, "the whole tree")
+        graph.wait_for(lambda: tree() == expected or len(self.tf.all()) > 600, what="the whole tree")
         self.assertEqual(tree(), expected)
 
     def test_frames_carry_the_prefix(self):
@@ -102,18 +102,18 @@ class NamespacesTest(unittest.TestCase):
             own = {"world", body, body + "_space", body + "_model", body + "_space_body"}
             for topic in ("/markers", "/markers_static"):
                 listener = graph.Listener(ns + topic, MarkerArray)
-                array = graph.wait_for(listener.last, 15, ns + topic)
+                array = graph.wait_for(listener.last, what=ns + topic)
                 listener.close()
                 markers = [m for m in array.markers if m.action == Marker.ADD]
                 self.assertTrue(markers)
                 self.assertLessEqual({m.header.frame_id for m in markers}, own)
                 self.assertTrue(all(m.ns.startswith("wingnut/") for m in markers), "names of bodies carry no prefix")
             listener = graph.Listener(ns + "/wingnut/odometry", Odometry)
-            odometry = graph.wait_for(listener.last, 15, "odometry")
+            odometry = graph.wait_for(listener.last, what="odometry")
             listener.close()
             self.assertEqual((odometry.header.frame_id, odometry.child_frame_id), ("world", body))
             listener = graph.Listener(ns + "/wingnut/description", BodyDescription)
-            description = graph.wait_for(listener.last, 15, "description")
+            description = graph.wait_for(listener.last, what="description")
             listener.close()
             self.assertEqual((description.body, description.header.frame_id), ("wingnut", body))
             self.assertEqual(self.states[ns].last().body, "wingnut")
@@ -122,8 +122,8 @@ class NamespacesTest(unittest.TestCase):
     def test_diagnostics_tell_the_nodes_apart(self):
         def names():
             return {s.name for m in self.diagnostics.all() for s in m.status}
-        graph.wait_for(lambda: sum(name.endswith("ticks") for name in names()) >= 2, 15,
-                       "status `ticks` of both nodes under names of their own")
+        graph.wait_for(lambda: sum(name.endswith("ticks") for name in names()) >= 2,
+                       what="status `ticks` of both nodes under names of their own")
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ class OwnClockTest(unittest.TestCase):
         cls.began = time.time()
         cls.owner = processes.start_node("/owner", {"scene_file": scene, "rate": RATE, "publish_clock": True})
         cls.control = graph.Control("/owner/poinsot")
-        graph.wait_for(cls.states.last, 15, "a state")
+        graph.wait_for(cls.states.last, what="a state")
 
     @classmethod
     def tearDownClass(cls):
@@ -45,12 +45,12 @@ class OwnClockTest(unittest.TestCase):
         return [m.clock.to_nsec() for m in self.clock.all()]
 
     def test_1_starts_above_zero(self):
-        first = graph.wait_for(self.clocks, 15, "/clock")[0]
+        first = graph.wait_for(self.clocks, what="/clock")[0]
         self.assertGreater(first, 0)
         self.assertLess(first * 1e-9, 10 + time.time() - self.began, "a clock of its own, not the wall's")
 
     def test_2_advances_by_one_period_a_tick_at_about_wall_speed(self):
-        graph.wait_for(self.clocks, 15, "/clock")
+        graph.wait_for(self.clocks, what="/clock")
         self.clock.clear()
         begin = time.time()
         graph.wait_for(lambda: time.time() > begin + 3 and len(self.clocks()) > RATE, 60, "three seconds of /clock")
@@ -71,7 +71,7 @@ class OwnClockTest(unittest.TestCase):
             self.assertTrue(self.control.pause(False).success)
             first = states.next()
             last = states.next_where(lambda s: (s.header.stamp - first.header.stamp).to_sec() > 1)
-            graph.wait_for(lambda: self.clock.last().clock >= last.header.stamp, 15, "the clock")
+            graph.wait_for(lambda: self.clock.last().clock >= last.header.stamp, what="the clock")
             shown = set(self.clocks())
             earliest = min(shown)
             stamps = [s.header.stamp.to_nsec() for s in states.all()
@@ -132,9 +132,9 @@ class OwnClockTest(unittest.TestCase):
                 control.seek(math.nan)
                 time.sleep(0.1)
                 return any("seek to nan" in m.msg for m in log.all())
-            graph.wait_for(heard, 15, "the node's log")
+            graph.wait_for(heard, what="the node's log")
             control.seek(90000.0)
-            graph.wait_for(lambda: any("playing on meanwhile" in m.msg for m in log.all()), 15, "the seek to begin")
+            graph.wait_for(lambda: any("playing on meanwhile" in m.msg for m in log.all()), what="the seek to begin")
             self.assertLess(states.next().time, 90000)
             self.assertEqual(node.interrupt(5), 0, node.console)
         finally:

@@ -142,7 +142,7 @@ class ParametersTest(unittest.TestCase):
     def runs(self, parameters, scene_tree_file=None):
         namespace, node = self.start(parameters, scene_tree_file)
         states = graph.Listener(namespace + "/top/state", BodyState)
-        state = graph.wait_for(states.last, 20, "a state")
+        state = graph.wait_for(states.last, what="a state")
         states.close()
         return namespace, node, state
 

@@ -25,7 +25,7 @@ class RateTest(unittest.TestCase):
         rospy.init_node("rate_test")
         cls.diagnostics = graph.Listener("/diagnostics", DiagnosticArray)
         cls.states = graph.Listener("/wingnut/state", BodyState)
-        graph.wait_for(cls.states.last, 15, "a state")
+        graph.wait_for(cls.states.last, what="a state")
 
     def stretch(self):
         """The stamps of some seconds [s], from the first."""
@@ -53,7 +53,7 @@ class RateTest(unittest.TestCase):
         def found():
             return [s for m in self.diagnostics.all() for s in m.status if s.name.endswith(suffix)]
         # The first report may come before anything was measured.
-        return graph.wait_for(lambda: found()[-1] if len(found()) > 1 else None, 30, "two reports of " + suffix)
+        return graph.wait_for(lambda: found()[-1] if len(found()) > 1 else None, what="two reports of " + suffix)
 
     def number(self, status, key):
         values = {v.key: v.value for v in status.values}

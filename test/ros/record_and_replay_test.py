@@ -85,7 +85,7 @@ class Launch(object):
 def play_about():
     """Eight seconds and more with everything that one can ask of the node."""
     states = graph.Listener("/wingnut/state", BodyState)
-    graph.wait_for(states.last, 60, "a state")
+    graph.wait_for(states.last, what="a state")
 
     def recorded():
         subscribers = dict(rosgraph.Master("/stranger").getSystemState()[1])
@@ -122,18 +122,18 @@ def play_about():
 def watch():
     """What one sees who joins in the middle of a replay."""
     clock = graph.Listener("/clock", Clock)
-    begin = graph.wait_for(clock.last, 60, "/clock").clock
+    begin = graph.wait_for(clock.last, what="/clock").clock
     clock.next_where(lambda m: (m.clock - begin).to_sec() > 2)  # the latched messages have gone by
     static = {}
     for topic, kind in (("/markers_static", MarkerArray), ("/tf_static", TFMessage),
                         ("/wingnut/description", BodyDescription)):
         listener = graph.Listener(topic, kind)
-        static[topic] = graph.wait_for(listener.last, 20, topic)
+        static[topic] = graph.wait_for(listener.last, what=topic)
         listener.close()
     moving = graph.Listener("/markers", MarkerArray)
     tf = graph.Listener("/tf", TFMessage)
     states = graph.Listener("/wingnut/state", BodyState)
-    graph.wait_for(lambda: all(len(listener.all()) > 20 for listener in (moving, tf, states)), 20, "what moves")
+    graph.wait_for(lambda: all(len(listener.all()) > 20 for listener in (moving, tf, states)), what="what moves")
     clocks = [m.clock.to_nsec() for m in clock.all()]
     return {
         "static markers": sorted({m.ns for m in static["/markers_static"].markers if m.action == Marker.ADD}),

@@ -33,7 +33,7 @@ class Side(object):
 
     def latched(self, topic, message_class):
         listener = graph.Listener(self.namespace + "/" + topic, message_class)
-        message = copy.deepcopy(graph.wait_for(listener.last, 30, self.namespace + "/" + topic))
+        message = copy.deepcopy(graph.wait_for(listener.last, what=self.namespace + "/" + topic))
         listener.close()
         return message
 
@@ -55,7 +55,7 @@ class Side(object):
         control = graph.Control(self.namespace + "/poinsot")
         listeners = {body: graph.Listener("%s/%s/state" % (self.namespace, body), BodyState) for body in bodies}
         for listener in listeners.values():
-            graph.wait_for(listener.last, 30, "a state")
+            graph.wait_for(listener.last, what="a state")
         control.pause(True)
         control.reset()
         out = [self.fields(listeners[b].next_where(lambda s: s.time == 0 and s.time_rate == 0)) for b in bodies]

@@ -21,7 +21,7 @@ export UBSAN_OPTIONS=print_stacktrace=1
 # Property tests draw fewer cases: the full number has run without sanitizers.
 export RC_PARAMS="seed=1758 max_success=400 noshrink=1"
 
-source "$here/../expect.sh"
+source "$here/../checks.sh"
 misuse=$build/devel/lib/poinsot/misuse
 expect nothing_wrong 0 'nothing was caught' "$misuse" none
 expect out_of_bounds_is_caught 1 'AddressSanitizer: heap-buffer-overflow' "$misuse" out_of_bounds
@@ -43,4 +43,4 @@ for program in "${programs[@]}"; do
   expect "$program" 0 '^\[  PASSED  \] [1-9][0-9]* test' said_by "$program"
 done
 
-finish
+end_checks

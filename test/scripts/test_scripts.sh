@@ -2,33 +2,19 @@
 # The scripts as a user calls them: bad use, bad scenes, a strange python3 in front, a picture, and that a failing test
 # is counted as one. The last line reads "N passed, M failed".
 source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
-set +e
+source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0 failed=0
-
-# expect NAME EXIT_CODE PATTERN COMMAND...: both streams together must match the pattern.
-expect() {
-  local name=$1 code=$2 pattern=$3 said got
-  shift 3
-  said=$("$@" 2>&1 < /dev/null)
-  got=$?
-  if [ "$got" -eq "$code" ] && grep -qE -- "$pattern" <<< "$said"; then
-    passed=$((passed + 1))
-    echo "PASS  $name"
-  else
-    failed=$((failed + 1))
-    echo "FAIL  $name: exit $got, expected $code and /$pattern/"
-    tail -n 15 <<< "$said" | sed 's/^/        /'
-  fi
-}
+logs=$work/logs
+mkdir "$logs"
 
 demo=$root/scripts/demo.sh
 expect "demo.sh --help" 0 'Usage: scripts/demo.sh' "$demo" --help
 expect "test.sh --help" 0 'Usage: scripts/test.sh' "$root/scripts/test.sh" --help
 expect "setup.sh --help" 0 'Usage: scripts/setup.sh' "$root/scripts/setup.sh" --help
-expect "setup.sh finds nothing missing" 0 '^$' "$root/scripts/setup.sh"
+says_nothing() { [ -z "$("$@" 2>&1)" ]; }
+check "setup.sh finds nothing missing" says_nothing "$root/scripts/setup.sh"
 expect "demo.sh: unknown option" 2 "unknown option '--headles'" "$demo" --headles
 expect "demo.sh: option without its value" 2 '--duration needs a value' "$demo" --duration
 expect "demo.sh: duration that is no number" 2 'duration' "$demo" --duration soon
@@ -161,5 +147,4 @@ expect "a script that checks nothing is noticed" 1 '' script_result 'echo "0 pas
 expect "test.sh --list names tests with their tier" 0 '^test_core +quick' "$root/scripts/test.sh" --list
 expect "test.sh --only of nothing is refused" 2 "no test matches 'no_such_test'" "$root/scripts/test.sh" --only no_such_test
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+end_checks

@@ -2,46 +2,42 @@
 # Looks at the package's files: format, shell and Python syntax, links, data files, places that only one machine has.
 # Each check is also run on a broken file, where it must fail. The last line reads "N passed, M failed".
 source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0 failed=0
-
-# result WORDS GOOD: counts a check, and prints what it said ($work/said) when it failed.
-result() {
-  if [ "$2" = yes ]; then
-    echo "PASS  $1"
-    passed=$((passed + 1))
-  else
-    echo "FAIL  $1"
-    head -n 40 "$work/said" | sed 's/^/        /'
-    failed=$((failed + 1))
-  fi
-}
+logs=$work
 
 # Each check takes names of files relative to the present directory, and says nothing where all is well.
 format() { clang-format --dry-run -Werror --style="file:$root/.clang-format" "$@"; }
 shell() { shellcheck -x -P SCRIPTDIR "$@"; }
 files() { /usr/bin/python3 -B "$root/test/static/check_files.py" "$@"; }
 
-# holds WORDS COMMAND...: the check finds nothing.
+# holds WORDS COMMAND...: the check finds nothing, and says nothing.
 holds() {
-  local words=$1 good=yes
+  local words=$1
   shift
-  "$@" > "$work/said" 2>&1 || good=no
-  [ ! -s "$work/said" ] || good=no
-  result "$words" $good
+  silent() {
+    local said code=0
+    said=$("$@" 2>&1) || code=$?
+    [ -z "$said" ] || printf '%s\n' "$said"
+    [ $code -eq 0 ] && [ -z "$said" ]
+  }
+  check "$words" silent "$@"
 }
 
 # notices WORDS PATTERN FILE CONTENT COMMAND...: of a file with that content, the check fails and says what matches.
 notices() {
-  local words=$1 pattern=$2 file=$3 content=$4 good=no
+  local words=$1 pattern=$2 file=$3 content=$4
   shift 4
   mkdir -p "$work/broken"
   printf '%b' "$content" > "$work/broken/$file"
-  (cd "$work/broken" && "$@" "$file") > "$work/said" 2>&1 || good=yes
-  grep -qE -- "$pattern" "$work/said" || good=no
-  result "notices $words" $good
+  fails_there() (
+    cd "$work/broken" || exit 0
+    ! "$@" "$file" || exit 0
+    exit 1
+  )
+  expect "notices $words" 1 "$pattern" fails_there "$@"
 }
 
 cd "$root" || exit 1
@@ -83,7 +79,7 @@ notices "a view that is not YAML" 'broken.rviz:1: ' broken.rviz 'a: b: c\n' file
 notices "a launch file that is not XML" 'broken.launch:2: ' broken.launch '<launch>\n<node></launch>\n' files data
 notices "a test file that is not XML" 'broken.test:1: ' broken.test 'launch\n' files data
 notices "a directory of one user" 'broken.cpp:2: .*/home/' broken.cpp '\n"/ho''me/someone/poinsot"\n' files places
+notices "text that is not UTF-8" 'broken.md:2: expected UTF-8' broken.md 'a\n\xff\n' files places
 notices "a web address outside the list" 'broken.txt:1: .*registry.invalid' broken.txt 'https:/''/registry.invalid/simple\n' files places
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+end_checks

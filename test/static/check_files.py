@@ -5,8 +5,8 @@ Usage: check_files.py python|links|data|places FILE ...
 
 python: is it valid Python? links: do the relative links of the Markdown files among them lead to files, and to headings?
 data: are the YAML and XML files among them well-formed? places: does a file name a directory of one machine or user, or
-a web address whose host is not in HOSTS? Prints a line "FILE:LINE: what is wrong" for each fault. Exit: 0 when there is
-none, 1 otherwise, 2 for bad use.
+a web address whose host is not in HOSTS? Text that is not UTF-8 is a fault for all of them. Prints a line
+"FILE:LINE: what is wrong" for each fault. Exit: 0 when there is none, 1 otherwise, 2 for bad use.
 """
 import os
 import re
@@ -25,13 +25,10 @@ LOCAL_PLACE = re.compile(r"(?<![\w.$}~*-])/(?:home|root|Users|work|tmp/\w+)/[\w.
 
 
 def text_of(name):
-    """The text of a file, or nothing when it is no text."""
+    """The text of a file, or nothing when it is no text, that is, when it has a zero byte."""
     with open(name, "rb") as file:
         content = file.read()
-    try:
-        return "" if b"\0" in content else content.decode("utf-8")
-    except UnicodeDecodeError:
-        return ""
+    return "" if b"\0" in content else content.decode("utf-8")
 
 
 def line_of(text, position):
@@ -115,8 +112,12 @@ def main():
         return 2
     faults = 0
     for name in sys.argv[2:]:
-        for line, words in checks[sys.argv[1]](name):
-            print("%s:%d: %s" % (name, line, words))
+        try:
+            for line, words in checks[sys.argv[1]](name):
+                print("%s:%d: %s" % (name, line, words))
+                faults += 1
+        except UnicodeDecodeError as error:
+            print("%s:%d: expected UTF-8, got %s" % (name, error.object.count(b"\n", 0, error.start) + 1, error))
             faults += 1
     return 1 if faults else 0
 

@@ -6,7 +6,7 @@ source "$here/../../scripts/common.sh"
 
 export build=$build/clang
 mkdir -p "$build"
-source "$here/../expect.sh"
+source "$here/../checks.sh"
 
 # built TARGET...: a subshell, since build_package ends the shell when the build fails.
 built() (
@@ -17,4 +17,4 @@ built() (
 )
 expect everything_compiles 0 '^built' built all tests
 expect a_warning_is_an_error 1 'error: unused variable .*-Werror,-Wunused-variable' built warned
-finish
+end_checks

@@ -7,7 +7,7 @@ source "$here/../../scripts/common.sh"
 export build=$build/tidy
 build_package -DCMAKE_CXX_COMPILER=clang++ -DPOINSOT_BUILD_PANEL=ON -DPOINSOT_JOIN_FILES=ON \
   poinsot_generate_messages_cpp poinsot_rviz_autogen
-source "$here/../expect.sh"
+source "$here/../checks.sh"
 
 export work=$build/work
 rm -rf "$work"
@@ -54,4 +54,4 @@ cut -f 1 "$work/sources" | sort -u > "$work/rooms"
 while read -r room; do
   expect "$room" 0 '^exit 0: ' said "$room"
 done < "$work/rooms"
-finish
+end_checks

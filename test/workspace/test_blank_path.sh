@@ -2,9 +2,13 @@
 # Everything works in a folder whose name has a blank: the package is copied into one, and so is what it writes.
 # One line a check, the last line counts them; exit 1 when one fails, and then the copy stays for looking at.
 source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
 place=$(mktemp -d --suffix=" blank" "${TMPDIR:-/tmp}/poinsot.XXXXXX")
-start_checks "$place"
+leave_user_behind "$place"
+cd "$place" || exit 1
+logs=$place/logs
+mkdir "$logs"
 copy="$place/my workspace/poinsot" TMPDIR="$place/temporary files"
 mkdir "$TMPDIR"
 export TMPDIR
@@ -49,4 +53,5 @@ check "nothing is written beside the package" nothing_beside
 # Half of a path with a blank would name another place.
 check "nothing is written to half of the path" [ ! -e "${place% blank}" ]
 
+if [ "$failed" -eq 0 ]; then rm -rf "$place"; else echo "what was built, and its logs, are in $place"; fi
 end_checks

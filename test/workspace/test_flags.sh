@@ -6,6 +6,7 @@
 # One line a check, the last line counts them; exit 1 when one fails, and then the programs stay for looking at. What this
 # processor cannot run is compiled all the same, and said to be skipped.
 source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
 case "${1:-}" in
   -h | --help) usage; exit 0 ;;
@@ -19,18 +20,8 @@ compilers=(g++ clang++)
 flags=('-O0' '-O2' '-O2 -mavx2' '-O2 -mavx512f -mfma' '-O2 -march=native' '-O1 -fno-inline -mavx2 -mfma')
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_flags.XXXXXX")
-passed=0 failures=0 first=
+first=
 trap 'rm -rf "$work"; exit 130' INT TERM
-finish() {
-  if [ "$failures" -eq 0 ]; then rm -rf "$work"; else echo "the programs and their output are in $work"; fi
-  echo "$passed passed, $failures failed"
-}
-good() { echo "PASS  $1"; passed=$((passed + 1)); }
-bad() {
-  echo "FAIL  $1"
-  sed 's/^/        /'
-  failures=$((failures + 1))
-}
 # shellcheck disable=SC1090
 enter_space() { set +u; source "$setup"; set -u; }  # a function: a sourced setup.bash takes the arguments that it sees
 enter_space
@@ -87,5 +78,5 @@ else
   bad "each public header compiles by itself and needs no Boost" < <(grep -E -A4 'error' "$work/headers.log" | head -n 12)
 fi
 
-finish
-[ "$failures" -eq 0 ]
+if [ "$failed" -eq 0 ]; then rm -rf "$work"; else echo "the programs and their output are in $work"; fi
+end_checks

@@ -4,6 +4,7 @@
 #   --full   all of Poinsot's own tests too, not only one of each kind
 # One line a check, the last line counts them; exit 1 when one fails, and then the workspace stays for looking at.
 source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
 full=no
 case "${1:-}" in
@@ -17,7 +18,12 @@ workspace=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_workspace.XXXXXX")
 launch_pid=''
 devel=$workspace/devel/setup.bash install=$workspace/install/setup.bash
 mkdir "$workspace/src"
-start_checks "$workspace"
+leave_user_behind "$workspace"
+# catkin_make compiles with ccache where scripts/build.sh would.
+[ -z "${CCACHE_DIR:-}" ] || export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+cd "$workspace" || exit 1
+logs=$workspace/logs
+mkdir "$logs"
 
 stop_launch() {
   [ -n "$launch_pid" ] || return 0
@@ -40,7 +46,7 @@ fill_workspace() {
 }
 check "the package is copied into a workspace" fill_workspace
 check "catkin_make" make_workspace
-[ "$failures" -eq 0 ] || { end_checks || exit 1; }
+[ "$failed" -eq 0 ] || { end_checks; exit 1; }
 no_warning() { ! grep -B1 -A6 'CMake Warning' "$logs/catkin_make.log"; }
 check "without a warning from CMake" no_warning
 check "the neighbour runs" in_space "$devel" rosrun poinsot_neighbour spin
@@ -114,4 +120,5 @@ build_against_install() {
 check "the neighbour builds against the install space alone, and runs" build_against_install
 check "a program gets the same bits under whatever flags it is compiled with" "$root/test/workspace/test_flags.sh" "$install"
 
+if [ "$failed" -eq 0 ]; then rm -rf "$workspace"; else echo "what was built, and its logs, are in $workspace"; fi
 end_checks
