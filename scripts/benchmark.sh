@@ -17,7 +17,7 @@ esac
 "$root/scripts/setup.sh" --benchmarks --peers
 build=${POINSOT_BUILD:-$build}
 say "building"
-build_package -DPOINSOT_BUILD_BENCHMARKS=ON work_precision_measure accuracy_choice torque_precision
+build_package -DPOINSOT_BUILD_BENCHMARKS=ON work_precision_measure accuracy_choice method_costs torque_precision
 programs=$build/devel/lib/poinsot
 
 work=$(mktemp -d)

@@ -27,7 +27,8 @@ DEFAULT_DURATION = 20.0  # s
 
 
 def simulate(program, scene, option, path, duration):
-    subprocess.run([program, scene, option, path, "--duration", "%.17g" % duration], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, scene, option, path, "--duration", "%.17g" % duration], check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL, env=dict(os.environ, ROS_PACKAGE_PATH=ROOT))
 
 
 def digest_of_file(path):

@@ -1,10 +1,10 @@
 #include "poinsot/cost/settle.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "number_text.h"
 #include "poinsot/cost/choice.h"
+#include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
@@ -45,12 +45,7 @@ Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCos
 }  // namespace
 
 std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
-  const auto wishes = [](const scene::Body& body) { return body.accuracy.has_value(); };
-  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), wishes)) return {};
-  return settleMethods(scene, rate, costsOfThisMachine());
-}
-
-std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const MethodCosts& costs) {
+  const MethodCosts& costs = nominalCosts();
   std::vector<std::string> out;
   for (scene::Body& body : scene.bodies) {
     if (!body.accuracy) continue;

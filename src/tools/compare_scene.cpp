@@ -10,6 +10,7 @@
 
 #include "poinsot/core/stepper.h"
 #include "poinsot/cost/choice.h"
+#include "poinsot/cost/method_costs.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 
@@ -25,10 +26,8 @@ constexpr double kAcross = 7.6, kUp = 4.2;
 
 const char* const kAbout =
     "Prints a scene: one body four times, side by side, from the same start, under lie_euler, buss2, a good stepper "
-    "and the "
-    "closed form. All steppers cost the same CPU time on this machine, or all take the same step. The good stepper is "
-    "the "
-    "cheapest that keeps to 1e-3 rad for 120 s.";
+    "and the closed form. All steppers cost the same CPU time by nominal costs of the methods, or all take the same "
+    "step. The good stepper is the cheapest that keeps to 1e-3 rad for 120 s.";
 
 struct Options {
   std::string scene_file, body, mode = "equal_cost";
@@ -68,7 +67,7 @@ void print(const Options& options) {
   const std::size_t index = indexOf(scene, options.body);
   const scene::Body& body = scene.bodies[index];
   const double rate = scene.rate.value_or(scene::kDefaultRate);
-  const cost::MethodCosts costs = cost::costsOfThisMachine();
+  const cost::MethodCosts& costs = cost::nominalCosts();
   const cost::Choice good = goodStepper(scene::motionSetup(body), rate, costs);
   const std::vector<std::string> steppers = {"lie_euler", "buss2", good.method};
 
@@ -90,8 +89,8 @@ void print(const Options& options) {
   out << YAML::Comment(
       options.mode == "equal_step"
           ? comment("Made by compare_scene: every step is %g s, at %g states a second.", options.step, rate)
-          : comment("Made by compare_scene: every stepper costs %.3g us of CPU per simulated second here, at "
-                    "%g states a second.",
+          : comment("Made by compare_scene: every stepper costs a nominal %.3g us of CPU per simulated second, "
+                    "at %g states a second.",
                     1e6 * budget, rate));
   out << YAML::BeginMap << YAML::Key << "rate" << YAML::Value << rate << YAML::Key << "bodies" << YAML::Value
       << YAML::BeginSeq;

@@ -3,13 +3,11 @@
 #include <ros/node_handle.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
 
-#include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/settle.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/node.h"
@@ -34,17 +32,6 @@ int check(const std::string& file) {
   }
 }
 
-int measureCosts() {
-  const std::string file = poinsot::cost::defaultCostFile();
-  const auto costs = poinsot::cost::costsOfThisMachine(file, true);
-  std::printf("%-12s %14s %14s\n", "method", "ns per state", "ns per step");
-  for (const auto& [name, cost] : costs.all()) {
-    std::printf("%-12s %14.0f %14.0f\n", name.c_str(), 1e9 * cost.per_state, 1e9 * cost.per_step);
-  }
-  std::printf("kept in %s\n", file.c_str());
-  return 0;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -58,14 +45,12 @@ int main(int argc, char** argv) {
       "poinsot_node");
   std::string file;
   app.add_option("--check", file, "only read and validate this scene file: exit 0 when it is good, 2 when not");
-  app.add_flag("--measure-costs", "only measure again what the methods cost here, by which accuracy: is met");
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUse;
   }
   if (app.count("--check") > 0) return check(file);
-  if (app.count("--measure-costs") > 0) return measureCosts();
 
   ros::init(argc, argv, "poinsot");
   // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.

@@ -31,7 +31,7 @@ const char* const kAbout =
     "Measures what a scene's bodies cost on this machine. For each body: the effects in force, the method and why, CPU "
     "time per\n"
     "step, per state and per simulated second, and the part of each effect in it. Effects that are absent cost 0.\n\n"
-    "Methods are chosen as the node chooses them, by costs measured on this machine.\n"
+    "Methods are chosen as the node chooses them.\n"
     "Exit status: 0; 1 when a state cannot be computed or a file not be written; 2 for bad use or a bad scene.";
 
 struct Options {

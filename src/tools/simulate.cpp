@@ -16,7 +16,6 @@
 #include "csv_rows.h"
 #include "output_file.h"
 #include "poinsot/core/motion.h"
-#include "poinsot/cost/nominal_costs.h"
 #include "poinsot/cost/settle.h"
 #include "poinsot/ros/scene_bag.h"
 #include "poinsot/scene/motion_setup.h"
@@ -155,7 +154,7 @@ void run(const Options& options) {
   const double rate = given_rate.value_or(scene.rate.value_or(scene::kDefaultRate));
   const tools::SampleTimes times(duration, rate);
   checkSize(options, scene, duration, rate, times);
-  say(cost::settleMethods(scene, rate, cost::nominalCosts()));
+  say(cost::settleMethods(scene, rate));
   checkSize(options, scene, duration, rate, times);
 
   const bool to_stdout = options.csv == kStandardOutput;

@@ -33,9 +33,7 @@ std::string oneBody(const std::string& more) {
 }
 
 Outcome sceneCost(const std::string& arguments) {
-  return runProgram("POINSOT_COSTS=" + shellWord(::testing::TempDir() + "scene_cost_test_costs.yaml") + " " +
-                        shellWord(SCENE_COST) + " " + arguments,
-                    "");
+  return runProgram(shellWord(SCENE_COST) + " " + arguments, "");
 }
 
 using Row = std::map<std::string, std::string>;

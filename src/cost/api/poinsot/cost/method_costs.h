@@ -3,14 +3,13 @@
 #include <map>
 #include <string>
 
-/** What the methods cost on this machine. The room has a clock and a file; core has neither. */
+/** What methods cost. */
 namespace poinsot::cost {
 
 /** CPU time of a method, in seconds. */
 struct MethodCost {
-  double
-      per_state;  ///< of asking a motion for its state once, steps apart; for a stepper one partial step is part of it
-  double per_step;  ///< of one more whole step; 0 for the closed form
+  double per_state;  ///< of asking for a state once, whole steps apart; a stepper's partial step is part of it
+  double per_step;   ///< of one more whole step; 0 for the closed form
 };
 
 /** By name of method, "closed_form" among them. */
@@ -33,16 +32,11 @@ class MethodCosts {
   std::map<std::string, MethodCost> costs_;
 };
 
-/** Measures every method on a body of no special kind: half a second. */
-MethodCosts measureCosts();
-
-/** Where the measured costs are kept: $POINSOT_COSTS, else costs.yaml under poinsot/ in $ROS_HOME, else in ~/.ros. */
-std::string defaultCostFile();
-
 /**
- * The costs in the file, when it was written on this processor by this version; otherwise they are measured and written
- * there. A file that cannot be read or written is no error: what matters is measured anyway.
+ * What the methods once cost on one machine, rounded; benchmark/method_costs measures them again. The choice of a
+ * method depends on their proportions only, which differ little between machines, and a scene is given the same method
+ * and step everywhere and every time.
  */
-MethodCosts costsOfThisMachine(const std::string& file = defaultCostFile(), bool measure_again = false);
+const MethodCosts& nominalCosts();
 
 }  // namespace poinsot::cost
