@@ -36,10 +36,11 @@ struct Nearest {
 
 class Search {
  public:
-  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs)
+  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel)
       : setup_(setup),
         wish_(wish),
         costs_(costs),
+        cancel_(cancel),
         start_(RotationState::fromOmega(setup.inertia.moments(), setup.attitude.normalized() * setup.inertia.axes(),
                                         setup.inertia.axes().conjugate() * setup.omega_body)),
         exact_(setup.inertia.moments(), start_.attitude, start_.omegaBody(setup.inertia.moments())) {
@@ -100,6 +101,7 @@ class Search {
     Trial trial{0, 0};
     std::int64_t n = 0;
     for (std::int64_t k = 1; k <= looks; ++k) {
+      throwIf(cancel_);
       const auto next =
           static_cast<std::int64_t>(static_cast<double>(steps) * static_cast<double>(k) / static_cast<double>(looks));
       try {
@@ -186,11 +188,13 @@ class Search {
     const double ticks = std::floor(wish_.horizon * wish_.rate), stride = std::max(1.0, ticks / kMostTicks);
     double worst = 0;
     const auto look = [&](double t) {
+      if (!motion.prepare(t, cancel_)) throw Cancelled();
       const double error = motion.attitudeError(motion.at(t));
       worst = error <= worst ? worst : error;  // also where it is undefined
       return worst <= wish_.accuracy;
     };
     for (double k = 1; k <= ticks; k += stride) {
+      throwIf(cancel_);
       if (!look(std::floor(k) / wish_.rate)) return worst;
     }
     look(wish_.horizon);
@@ -240,6 +244,7 @@ class Search {
   MotionSetup setup_;
   Wish wish_;
   const MethodCosts& costs_;
+  const std::atomic<bool>& cancel_;
   RotationState start_;
   ClosedForm exact_;
   double longest_;  ///< step to begin with [s]
@@ -249,9 +254,9 @@ class Search {
 
 }  // namespace
 
-Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
-  if (!setup.effects.empty()) return chooseUnderTorques(setup, wish, costs);
-  return Search(setup, wish, costs).run();
+Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel) {
+  if (!setup.effects.empty()) return chooseUnderTorques(setup, wish, costs, cancel);
+  return Search(setup, wish, costs, cancel).run();
 }
 
 }  // namespace poinsot::cost

@@ -34,17 +34,18 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
 }
 
 /** To the accuracy, or, where that is out of reach, as near to it as doubles come. */
-Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
+Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+                     const std::atomic<bool>& cancel) {
   try {
-    return choose(setup, wish, costs);
+    return choose(setup, wish, costs, cancel);
   } catch (const Unreachable&) {
-    return mostExactUnderTorques(setup, wish, costs);
+    return mostExactUnderTorques(setup, wish, costs, cancel);
   }
 }
 
 }  // namespace
 
-std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const std::atomic<bool>& cancel) {
   const MethodCosts& costs = nominalCosts();
   std::vector<std::string> out;
   for (scene::Body& body : scene.bodies) {
@@ -53,7 +54,8 @@ std::vector<std::string> settleMethods(scene::Scene& scene, double rate) {
     const MotionSetup setup = scene::motionSetup(body);
     const Wish asked{wish.error, wish.horizon, rate, wish.candidates};
     try {
-      const Choice choice = wish.by_default ? asWellAsCanBe(setup, asked, costs) : choose(setup, asked, costs);
+      const Choice choice =
+          wish.by_default ? asWellAsCanBe(setup, asked, costs, cancel) : choose(setup, asked, costs, cancel);
       body.method = choice.method;
       body.step = choice.step;
       out.push_back(sentence(body, choice));

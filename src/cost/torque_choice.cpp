@@ -35,8 +35,8 @@ struct Look {
 
 class Search {
  public:
-  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs)
-      : setup_(setup), wish_(wish), costs_(costs), torques_(sumOf(setup.inertia, setup.effects)) {
+  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel)
+      : setup_(setup), wish_(wish), costs_(costs), cancel_(cancel), torques_(sumOf(setup.inertia, setup.effects)) {
     const double ticks = std::ceil(wish.horizon * wish.rate);
     const int looks = static_cast<int>(std::clamp(ticks, 16.0, double{kMostLooks}));
     for (int k = 1; k <= looks; ++k) times_.push_back(wish.horizon * k / looks);
@@ -94,6 +94,7 @@ class Search {
     Motion motion(setup);
     try {
       for (const double t : times_) {
+        if (cancel_ || !motion.prepare(t, cancel_)) throw Cancelled();
         const MotionState state = motion.at(t);
         out.push_back({state.attitude, state.omega_body});
       }
@@ -220,6 +221,7 @@ class Search {
   MotionSetup setup_;
   Wish wish_;
   const MethodCosts& costs_;
+  const std::atomic<bool>& cancel_;
   Torques torques_;
   std::vector<double> times_;
   std::vector<Look> truth_;
@@ -231,12 +233,14 @@ class Search {
 
 }  // namespace
 
-Choice chooseUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
-  return Search(setup, wish, costs).cheapest();
+Choice chooseUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+                          const std::atomic<bool>& cancel) {
+  return Search(setup, wish, costs, cancel).cheapest();
 }
 
-Choice mostExactUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs) {
-  return Search(setup, wish, costs).mostExact();
+Choice mostExactUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+                             const std::atomic<bool>& cancel) {
+  return Search(setup, wish, costs, cancel).mostExact();
 }
 
 }  // namespace poinsot::cost

@@ -2,13 +2,13 @@
 
 #include <ros/spinner.h>
 #include <rosgraph_msgs/Clock.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/limits.h"
 #include "poinsot/ros/names.h"
@@ -21,6 +21,7 @@ namespace {
 using visualization_msgs::MarkerArray;
 
 constexpr int kMarkerQueue = 100;
+constexpr int kTfQueue = 100;
 constexpr int kControlQueue = 100;
 const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kPatienceForClock(3);
@@ -36,8 +37,10 @@ Pacer::Mode pacing(bool publish_clock) {
 
 }  // namespace
 
-Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
-    : clock_(1 / parameters.rate),
+Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+           const std::atomic<bool>& interrupted)
+    : interrupted_(interrupted),
+      clock_(1 / parameters.rate),
       pacer_(pacing(parameters.publish_clock), parameters.rate),
       rate_(parameters.rate),
       frame_prefix_(parameters.frame_prefix),
@@ -55,7 +58,18 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     if (!ros::Time::isSimTime()) ROS_WARN("~publish_clock is on, but /use_sim_time is not set: nobody follows /clock");
     clock_publisher_ = handle_.advertise<rosgraph_msgs::Clock>(names::kClock, 10);
   }
-  markers_publisher_ = handle_.advertise<MarkerArray>(names::kMarkers, kMarkerQueue);
+  // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
+  tf_publisher_ = handle_.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue,
+                                                         [this](const ros::SingleSubscriberPublisher& viewer) {
+                                                           const std::lock_guard<FairMutex> lock(mutex_);
+                                                           if (!transforms_.transforms.empty())
+                                                             viewer.publish(transforms_);
+                                                         });
+  markers_publisher_ =
+      handle_.advertise<MarkerArray>(names::kMarkers, kMarkerQueue, [this](const ros::SingleSubscriberPublisher&) {
+        const std::lock_guard<FairMutex> lock(mutex_);
+        markers_have_new_viewer_ = true;
+      });
   markers_static_publisher_ = handle_.advertise<MarkerArray>(
       names::kMarkersStatic, 1,
       [this](const ros::SingleSubscriberPublisher&) {
@@ -70,6 +84,7 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   diagnostics_.setHardwareID("none");
   diagnostics_.add("ticks", this, &Node::diagnoseTicks);
   for (const scene::Body& body : parameters.scene.bodies) {
+    cost::throwIf(interrupted_);
     bodies_.push_back(std::make_unique<Body>(body, parameters.frame_prefix, rate_, handle_));
     some_body_steps_ = some_body_steps_ || !bodies_.back()->motion().inClosedForm();
     diagnoseBody(body.name);
@@ -126,20 +141,26 @@ void Node::run() {
     const std::lock_guard<FairMutex> lock(mutex_);
     publishStatic();
   }
-  if (pacer_.mode() == Pacer::Mode::foreign_clock && !ros::Time::waitForValid(kPatienceForClock)) {
-    ROS_WARN("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
-  }
-  while (pacer_.wait()) {
+  const ros::SteadyTime began = ros::SteadyTime::now();
+  bool warned = false;
+  for (Pacer::Wake wake; (wake = pacer_.wait(interrupted_)) != Pacer::Wake::ended;) {
     const std::lock_guard<FairMutex> lock(mutex_);
-    tick();
+    const ros::Time now = pacer_.stamp();
+    if (now.isZero() && !warned && ros::SteadyTime::now() - began > kPatienceForClock) {
+      ROS_WARN("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
+      warned = true;
+    }
+    if (wake == Pacer::Wake::due) {
+      tick(now);
+    } else {
+      idle();
+    }
     diagnostics_.update();
   }
   spinner.stop();
 }
 
-void Node::tick() {
-  const ros::Time now = pacer_.stamp();
-  if (now.isZero()) return;  // a foreign clock that has not begun
+void Node::tick(const ros::Time& now) {
   if (clock_publisher_) {
     rosgraph_msgs::Clock message;
     message.clock = now;
@@ -163,24 +184,36 @@ void Node::tick() {
         (now - clock_.stamp()).toSec());
     clock_.restartStamps();
   }
-  resendStaticMarkers();
-  takeFinishedSeek();
-  takeFinishedRebuild();
-  takeTouches();
+  serve();
   const std::optional<Tick> tick = clock_.tick(now);
   if (!tick) return;
 
-  transforms_.clear();
+  last_tick_ = tick;
+  transforms_.transforms.clear();
   cost::threadCpuTime();  // the first call after a sleep is slow, which the first body would be charged with
   for (const auto& body : bodies_) {
     body->move(*tick);
-    body->appendTransforms(tick->stamp, transforms_);
+    body->appendTransforms(tick->stamp, transforms_.transforms);
   }
-  broadcaster_.sendTransform(transforms_);
+  tf_publisher_.publish(transforms_);
   for (const auto& body : bodies_) body->publish(*tick);
   publishPreview();
   publishMarkers(*tick);
   placeGrips();
+}
+
+void Node::idle() {
+  serve();
+  publishPreview();
+  if (markers_have_new_viewer_ && last_tick_) publishMarkers(*last_tick_);
+  placeGrips();
+}
+
+void Node::serve() {
+  resendStaticMarkers();
+  takeFinishedSeek();
+  takeFinishedRebuild();
+  takeTouches();
 }
 
 double Node::stepsTo(double time) const {
@@ -216,6 +249,7 @@ void Node::resendStaticMarkers() {
 }
 
 void Node::publishMarkers(const Tick& tick) {
+  markers_have_new_viewer_ = false;
   const bool watched = markers_publisher_.getNumSubscribers() > 0;
   if (watched) {
     MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();

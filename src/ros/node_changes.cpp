@@ -181,6 +181,8 @@ void Node::exchange(Rebuild::Result&& made) {
   } else {
     for (std::size_t k = 0; k < made.indices.size(); ++k) bodies_[made.indices[k]] = std::move(made.bodies[k]);
   }
+  if (change_->all) transforms_.transforms.clear();
+  last_tick_.reset();
   scene_ = std::move(made.scene);
   start_scene_ = std::move(change_->start_scene);
   scene_name_ = change_->name;

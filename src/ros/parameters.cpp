@@ -61,7 +61,7 @@ std::string readPrefix(XmlRpc::XmlRpcValue& value) {
 
 }  // namespace
 
-Parameters readParameters(const ros::NodeHandle& handle) {
+Parameters readParameters(const ros::NodeHandle& handle, const std::atomic<bool>& cancel) {
   Parameters out;
   const bool has_tree = handle.hasParam(names::kScene);
   const bool has_file = handle.hasParam(names::kSceneFile);
@@ -92,7 +92,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
             << " Hz is";
     throw ParameterError(message.str());
   }
-  out.choices = cost::settleMethods(out.scene, out.rate);
+  out.choices = cost::settleMethods(out.scene, out.rate, cancel);
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
     out.publish_clock = static_cast<bool>(value);

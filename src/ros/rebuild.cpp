@@ -30,7 +30,7 @@ void moveAhead(Body& body, double time, const std::atomic<bool>& cancelled) {
   if (!(steps <= kMostSteps)) {
     throw std::runtime_error(tooManySteps(body.name(), time, steps, *motion.setup().step));
   }
-  if (cancelled || !motion.prepare(time, cancelled)) throw std::runtime_error("given up");
+  if (cancelled || !motion.prepare(time, cancelled)) throw cost::Cancelled();
   motion.at(time);  // throws where there is nothing to publish
 }
 
@@ -38,8 +38,9 @@ Rebuild::Result make(Rebuild::Order order, const ros::NodeHandle& handle, const 
   Rebuild::Result out;
   scene::Scene part;
   for (const std::size_t i : order.bodies) part.bodies.push_back(order.scene.bodies[i]);
-  out.said = cost::settleMethods(part, order.rate);
+  out.said = cost::settleMethods(part, order.rate, cancelled);
   for (std::size_t k = 0; k < order.bodies.size(); ++k) {
+    cost::throwIf(cancelled);
     const scene::Body& body = part.bodies[k];
     order.scene.bodies[order.bodies[k]] = body;
     out.bodies.push_back(std::make_unique<Body>(body, order.frame_prefix, order.rate, handle,

@@ -214,6 +214,7 @@ void Panel::onStatus(const NodeStatus& status) {
     if (!said_trouble_) said_.clear();  // that it was being made ready
   }
   scene_name_ = scene;
+  stamps_.add(static_cast<std::int64_t>(status.header.stamp.toNSec()), status.rate, ros::SteadyTime::now().toSec());
   busy_ = QString::fromStdString(status.busy);
   if (busy_.isEmpty()) since_idle_.start();
   const QString refused = QString::fromStdString(status.refused);
@@ -242,6 +243,7 @@ void Panel::onLost() {
   banner_->show();
   busy_.clear();
   refused_.clear();
+  stamps_.clear();
   newest_.reset();
   read_outs_->clear();
   plots_->clear();
@@ -279,6 +281,9 @@ void Panel::showNotice() {
     text = "Working out: " + busy_ + " …";
   } else if (!refused_.isEmpty()) {
     text = refused_;
+    trouble = true;
+  } else if (link_->alive() && stamps_.standsStill()) {
+    text = "ROS time stands still: nothing moves before /clock goes on.";
     trouble = true;
   } else {
     text = link_->alive() ? "Ready." : "Looking for the node …";

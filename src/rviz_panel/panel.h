@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "node_link.h"
+#include "stamp_watch.h"
 
 class QFrame;
 class QLabel;
@@ -71,6 +72,7 @@ class Panel : public rviz::Panel {
   QString busy_, refused_;             ///< of the last status
   QString said_;                       ///< what a service answered
   bool said_trouble_ = false;
+  StampWatch stamps_;
   QElapsedTimer since_said_;
   QElapsedTimer since_idle_;  ///< since the node had nothing to work out
 };

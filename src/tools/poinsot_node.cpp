@@ -1,14 +1,20 @@
 #include <ros/console.h>
 #include <ros/init.h>
+#include <ros/master.h>
 #include <ros/node_handle.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/settle.h"
+#include "poinsot/ros/interrupt.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/scene/reader.h"
@@ -17,6 +23,18 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kBadUse = 2;
+
+constexpr std::chrono::milliseconds kBetweenLooks{100};
+
+/** Waits for a ROS master, as a NodeHandle would, but can be interrupted: whether there is one. */
+bool awaitMaster(const std::atomic<bool>& interrupted) {
+  for (bool said = false; !ros::master::check(); said = true) {
+    if (!said) ROS_ERROR("waiting for a ROS master at %s", ros::master::getURI().c_str());
+    for (int i = 0; i < 10 && !interrupted; ++i) std::this_thread::sleep_for(kBetweenLooks);
+    if (interrupted) return false;
+  }
+  return true;
+}
 
 int check(const std::string& file) {
   try {
@@ -52,14 +70,19 @@ int main(int argc, char** argv) {
   }
   if (app.count("--check") > 0) return check(file);
 
-  ros::init(argc, argv, "poinsot");
+  const std::atomic<bool>& interrupted = poinsot::node::interruptFlag();
+  ros::init(argc, argv, "poinsot", ros::init_options::NoSigintHandler);
+  if (!awaitMaster(interrupted)) return 0;
   // Outside the try block: when the last handle goes, ROS shuts down, and its console prints no more.
   ros::NodeHandle handle, private_handle("~");
   int code = kBadUse;
   try {
-    poinsot::node::Node node(poinsot::node::readParameters(private_handle), handle, private_handle);
+    poinsot::node::Node node(poinsot::node::readParameters(private_handle, interrupted), handle, private_handle,
+                             interrupted);
     code = kFailed;
     node.run();
+  } catch (const poinsot::cost::Cancelled&) {
+    return 0;  // as later on, when it runs
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return code;

@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 import rostest  # noqa: E402
+import yaml  # noqa: E402
 from diagnostic_msgs.msg import DiagnosticArray  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
@@ -18,7 +19,8 @@ from visualization_msgs.msg import MarkerArray  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
-from poinsot.msg import BodyDescription, BodyState  # noqa: E402
+from poinsot.msg import BodyDescription, BodyState, NodeStatus  # noqa: E402
+from poinsot.srv import LoadScene  # noqa: E402
 
 NODE = "/poinsot"
 START = 1000.0  # s
@@ -153,6 +155,7 @@ class ForeignClockTest(unittest.TestCase):
         counts = [len(listener.all()) for listener in self.moving()]
         time.sleep(1.0)  # no condition here either
         self.assertEqual([len(listener.all()) for listener in self.moving()], counts)
+        type(self).counts = dict(zip(self.moving(), counts))
         self.check_stamps(self.states.all())
         seen = set()
         for message in self.tf.all():
@@ -160,6 +163,41 @@ class ForeignClockTest(unittest.TestCase):
                 key = (t.child_frame_id, t.header.stamp.to_nsec())
                 self.assertNotIn(key, seen, "tf drops a repeated stamp")
                 seen.add(key)
+
+    def test_3_b_who_comes_while_the_clock_is_frozen_sees_where_everything_is(self):
+        here = self.states.last().header.stamp
+        stamps = {"secs": here.secs, "nsecs": here.nsecs}
+
+        def newcomer(topic):
+            """What another process is given; this one is connected already."""
+            code, out, err = processes.run(["rostopic", "echo", "-n1", topic])
+            self.assertEqual(code, 0, err)
+            return next(yaml.safe_load_all(out))
+        transforms = newcomer("/tf")["transforms"]
+        self.assertEqual({t["child_frame_id"] for t in transforms}, {"wingnut", "wingnut_space_body"})
+        markers = [m for m in newcomer("/markers")["markers"] if m["ns"] == "wingnut/model/omega"]
+        self.assertTrue(markers, "Omega in the picture")
+        for it in transforms + markers:
+            self.assertEqual(it["header"]["stamp"], stamps)
+        for repeated in (self.states, self.tf):
+            self.assertEqual(repeated.count(), self.counts[repeated], "who was there is not sent it again")
+
+    def test_3_c_a_scene_is_loaded_while_the_clock_is_frozen(self):
+        status = graph.Listener(NODE + "/status", NodeStatus)
+        descriptions = self.static["description"].count()
+        rospy.wait_for_service(NODE + "/load_scene", graph.PATIENCE)
+        before = self.states.last()
+        answer = rospy.ServiceProxy(NODE + "/load_scene", LoadScene)("dzhanibekov")
+        self.assertTrue(answer.success, answer.message)
+        self.static["description"].more(1, descriptions)
+        done = status.next_where(lambda s: not s.busy)
+        self.assertEqual((done.scene, done.refused), ("dzhanibekov", ""))
+        self.assertEqual(self.states.last().header, before.header, "nothing moves before the clock does")
+        self.time.set(self.time.now() + 0.25)
+        after = self.states.next_where(lambda s: s.segment > before.segment, since=0)
+        self.assertEqual((after.time, after.segment), (0, before.segment + 1))
+        status.close()
+        self.quiet()
 
     def test_4_commands_wait_while_the_clock_is_frozen(self):
         before = self.states.last()

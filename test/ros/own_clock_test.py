@@ -2,18 +2,23 @@
 """The node as the owner of /clock, and how nodes end."""
 import math
 import os
+import shutil
+import signal
 import sys
+import tempfile
 import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rospy  # noqa: E402
 import rostest  # noqa: E402
+import yaml  # noqa: E402
 from rosgraph_msgs.msg import Clock, Log  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
-from poinsot.msg import BodyState  # noqa: E402
+from poinsot.msg import BodyState, NodeStatus  # noqa: E402
+from poinsot.srv import LoadScene  # noqa: E402
 
 RATE = 100
 PERIOD = 1000000000 // RATE  # ns
@@ -116,6 +121,70 @@ class OwnClockTest(unittest.TestCase):
                                               "rate": 0.01, "publish_clock": True})
         try:
             graph.Control("/slow/poinsot")
+            self.assertEqual(node.interrupt(5), 0, node.console)
+        finally:
+            node.close()
+
+    def heavy(self):
+        """A scene whose accuracies take a minute or more to be met."""
+        bodies = [{"name": "top%d" % i, "inertia": [1.0, 1.2, 0.5], "angular_velocity": [0.1, 0.2, 20.0 + i],
+                   "accuracy": 1e-9, "horizon": 3000.0,
+                   "effects": [{"type": "gravity_torque", "mass": 1.0, "gravity": [0.0, 0.0, -9.8],
+                                "centre_of_mass": [0.0, 0.0, 0.4]}]} for i in range(60)]
+        path = os.path.join(tempfile.mkdtemp(), "heavy.yaml")
+        self.addCleanup(shutil.rmtree, os.path.dirname(path))
+        with open(path, "w") as out:
+            yaml.safe_dump({"bodies": bodies}, out)
+        return path
+
+    def test_9_ends_while_accuracies_are_looked_for_at_the_start(self):
+        node = processes.start_node("/heavy", {"scene_file": self.heavy()})
+        try:
+            graph.wait_for(lambda: node.cpu_seconds() > 1, what="the node to be at work")
+            self.assertTrue(node.running(), node.console)
+            self.assertEqual(node.interrupt(5), 0, node.console)
+        finally:
+            node.close()
+
+    def test_9_ends_while_accuracies_are_looked_for_later(self):
+        scene = processes.package_path("scenes", "dzhanibekov.yaml")
+        node = processes.start_node("/heavier", {"scene_file": scene, "publish_clock": True})
+        try:
+            graph.Control("/heavier/poinsot")
+            status = graph.Listener("/heavier/poinsot/status", NodeStatus)
+            load = rospy.ServiceProxy("/heavier/poinsot/load_scene", LoadScene)
+            self.assertTrue(load(self.heavy()).success)
+            at_work = node.cpu_seconds()
+            graph.wait_for(lambda: node.cpu_seconds() > at_work + 0.5, what="the node to be at work")
+            self.assertEqual(status.next().busy, "scene heavy")
+            # Another wish is not kept waiting either.
+            self.assertTrue(load("phone").success)
+            status.next_where(lambda s: s.scene == "phone" and not s.busy)
+            self.assertTrue(load(self.heavy()).success)
+            self.assertEqual(status.next_where(lambda s: s.busy).busy, "scene heavy")
+            self.assertEqual(node.interrupt(5), 0, node.console)
+            status.close()
+        finally:
+            node.close()
+
+    def test_9_ends_whenever_it_is_told_to(self):
+        scene = processes.package_path("scenes", "phone.yaml")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for after in range(0, 500, 40):  # ms
+                node = processes.start_node("/early", {"scene_file": scene, "publish_clock": True})
+                try:
+                    time.sleep(1e-3 * after)
+                    code = node.send(number, 5)
+                    # Before the node takes signals they end it at once.
+                    self.assertIn(code, (0, -number), "after %d ms: %s" % (after, node.console))
+                finally:
+                    node.close()
+
+    def test_9_ends_without_a_master(self):
+        environment = dict(os.environ, ROS_MASTER_URI="http://127.0.0.1:9")
+        node = processes.Process([processes.program("poinsot_node")], environment)
+        try:
+            graph.wait_for(lambda: "waiting for a ROS master at http://127.0.0.1:9" in node.console, what="its message")
             self.assertEqual(node.interrupt(5), 0, node.console)
         finally:
             node.close()

@@ -60,10 +60,19 @@ class Process(object):
         except subprocess.TimeoutExpired:
             raise AssertionError("still running after %g s; it wrote:\n%s" % (seconds, self.console))
 
-    def interrupt(self, seconds):
-        """Sends SIGINT and gives the exit code."""
-        self._process.send_signal(signal.SIGINT)
+    def send(self, number, seconds):
+        """Sends a signal and gives the exit code."""
+        self._process.send_signal(number)
         return self.wait(seconds)
+
+    def interrupt(self, seconds):
+        return self.send(signal.SIGINT, seconds)
+
+    def cpu_seconds(self):
+        """CPU time that the process has taken so far."""
+        with open("/proc/%d/stat" % self.pid) as stat:
+            fields = stat.read().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def close(self):
         """For the end of a test, whatever came before."""

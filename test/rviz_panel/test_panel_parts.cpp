@@ -8,6 +8,7 @@
 
 #include "history.h"
 #include "speed_scale.h"
+#include "stamp_watch.h"
 #include "text.h"
 #include "time_page.h"
 #include "worker.h"
@@ -163,6 +164,36 @@ TEST(Thinned, leavesAFewAlone) {
   const std::vector<Point> points = {{0, 1}, {1, 2}, {2, 0}};
   EXPECT_EQ(thinned(points, 250).size(), 3u);
   EXPECT_TRUE(thinned({}, 250).empty());
+}
+
+TEST(StampWatch, noticesThatTimeStandsStill) {
+  StampWatch watch;
+  for (int i = 0; i < 30; ++i) {
+    watch.add(1000 + i, 60, 5 + 0.1 * i);
+    EXPECT_FALSE(watch.standsStill()) << i;
+  }
+  watch.add(1029, 60, 8.8);
+  EXPECT_FALSE(watch.standsStill()) << "not yet for a second";
+  watch.add(1029, 60, 9.0);
+  EXPECT_TRUE(watch.standsStill());
+  watch.add(1030, 60, 9.1);
+  EXPECT_FALSE(watch.standsStill()) << "it goes on";
+  watch.add(500, 60, 10);
+  EXPECT_FALSE(watch.standsStill()) << "it jumped back";
+  watch.add(500, 60, 11.5);
+  EXPECT_TRUE(watch.standsStill());
+  watch.clear();
+  watch.add(500, 60, 12);
+  EXPECT_FALSE(watch.standsStill()) << "another node";
+}
+
+TEST(StampWatch, isPatientWithSlowTicks) {
+  StampWatch watch;
+  watch.add(1, 0.1, 0);
+  watch.add(1, 0.1, 29);
+  EXPECT_FALSE(watch.standsStill());
+  watch.add(1, 0.1, 31);
+  EXPECT_TRUE(watch.standsStill());
 }
 
 TEST(Text, figures) {

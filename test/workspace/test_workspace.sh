@@ -39,7 +39,8 @@ trap 'exit 130' INT TERM
 # shellcheck disable=SC2016
 enter='setup=$0; enter() { source "$setup"; }; enter; exec "$@"'
 in_space() { bash -c "$enter" "$@"; }
-make_workspace() { catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@"; }
+# -j: else catkin_make adds -l, and waits while the machine has other things to do.
+make_workspace() { catkin_make -j"$(nproc)" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@"; }
 
 fill_workspace() {
   copy_package "$workspace/src/poinsot" && cp -r "$root/test/workspace/neighbour" "$workspace/src/poinsot_neighbour"
@@ -54,7 +55,7 @@ check "the neighbour runs" in_space "$devel" rosrun poinsot_neighbour spin
 targets=(run_tests_poinsot_neighbour run_tests_poinsot_gtest_test_simulation_clock
   run_tests_poinsot_rostest_test_ros_control.test)
 [ "$full" = no ] || targets=(run_tests)
-run_tests() { in_space "$devel" catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "${targets[@]}"; }
+run_tests() { in_space "$devel" catkin_make -j"$(nproc)" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${targets[@]}"; }
 results() {
   ls build/test_results/poinsot_neighbour/*.xml build/test_results/poinsot/*.xml &&  # both packages' tests have run
     in_space "$devel" catkin_test_results build/test_results

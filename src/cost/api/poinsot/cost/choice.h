@@ -1,11 +1,13 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "poinsot/core/motion.h"
+#include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/method_costs.h"
 
 /** The cheapest way to an accuracy. */
@@ -42,8 +44,10 @@ constexpr double kClosedFormError = 2e-15;
  * are left out.
  *
  * @param setup the body and its start; method and step in it are not looked at.
- * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Unreachable.
+ * @param cancel makes it give up within some 10 ms.
+ * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Unreachable, or Cancelled.
  */
-Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs);
+Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+              const std::atomic<bool>& cancel = kNeverCancelled);
 
 }  // namespace poinsot::cost

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
+#include "poinsot/cost/cancelled.h"
 #include "poinsot/scene/scene.h"
 
 namespace poinsot::cost {
@@ -12,8 +14,10 @@ namespace poinsot::cost {
  * machine and every time.
  * @param rate at which states will be asked for [Hz].
  * @return a sentence for each such body: what was chosen, the estimated and the verified error, and the cost.
- * Throws scene::Error, with the place of the accuracy, where it is out of reach.
+ * @param cancel see choose().
+ * Throws Cancelled, or scene::Error, with the place of the accuracy, where it is out of reach.
  */
-std::vector<std::string> settleMethods(scene::Scene& scene, double rate);
+std::vector<std::string> settleMethods(scene::Scene& scene, double rate,
+                                       const std::atomic<bool>& cancel = kNeverCancelled);
 
 }  // namespace poinsot::cost

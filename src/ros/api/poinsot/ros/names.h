@@ -12,6 +12,7 @@ inline constexpr const char* kDescription = "description";
 inline constexpr const char* kMarkers = "markers";
 inline constexpr const char* kMarkersStatic = "markers_static";
 inline constexpr const char* kClock = "/clock";
+inline constexpr const char* kTf = "/tf";
 inline constexpr const char* kTfStatic = "/tf_static";
 
 // Services and topics, private.

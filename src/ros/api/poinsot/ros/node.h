@@ -10,8 +10,9 @@
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_ros/transform_broadcaster.h>
+#include <tf2_msgs/TFMessage.h>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <set>
@@ -41,14 +42,24 @@ namespace poinsot::node {
  */
 class Node {
  public:
-  /** Throws ParameterError for a scene that this machine cannot step in real time. */
-  Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  /**
+   * @param interrupted makes it give up, here and in run().
+   * Throws ParameterError for a scene that this machine cannot step in real time; cost::Cancelled.
+   */
+  Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+       const std::atomic<bool>& interrupted);
 
-  /** Ticks until ROS shuts down. Throws std::runtime_error when a body has no state that can be published. */
+  /**
+   * Ticks until ROS shuts down or somebody interrupts. Throws std::runtime_error when a body has no state that can be
+   * published.
+   */
   void run();
 
  private:
-  void tick();
+  void tick(const ros::Time& now);
+  /** Between two ticks that lie far apart in the wall's time, or while ROS time stands still. */
+  void idle();
+  void serve();                       ///< what waits for no stamp
   double steppingCost() const;        ///< of all bodies together [CPU s per simulated s]
   double stepsTo(double time) const;  ///< of all bodies together
   void publishStatic();
@@ -127,6 +138,7 @@ class Node {
 
   void diagnoseTicks(diagnostic_updater::DiagnosticStatusWrapper& status);
 
+  const std::atomic<bool>& interrupted_;
   FairMutex mutex_;
   SimulationClock clock_;
   Pacer pacer_;
@@ -141,8 +153,10 @@ class Node {
   bool some_body_steps_ = false;  ///< then labels tell how well
 
   ros::NodeHandle handle_, private_handle_;
-  tf2_ros::TransformBroadcaster broadcaster_;
-  std::vector<geometry_msgs::TransformStamped> transforms_;  ///< reused from tick to tick
+  tf2_msgs::TFMessage transforms_;  ///< of the last tick
+  std::optional<Tick> last_tick_;
+  bool markers_have_new_viewer_ = false;  ///< since the last tick
+  ros::Publisher tf_publisher_;           ///< no broadcaster, which would not tell who is new
   ros::Publisher clock_publisher_, markers_publisher_, markers_static_publisher_, status_publisher_;
   ros::Publisher static_tf_publisher_;  ///< not a broadcaster, which would never forget the frames of another scene
   std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last

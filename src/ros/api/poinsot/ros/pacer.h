@@ -1,8 +1,8 @@
 #pragma once
 
-#include <ros/rate.h>
 #include <ros/time.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 
@@ -31,10 +31,15 @@ class Pacer {
 
   Mode mode() const { return mode_; }
 
-  /** Returns when the next tick is due, or false when ROS shuts down. */
-  bool wait();
+  /** Why wait() returned. */
+  enum class Wake {
+    due,   ///< the next tick is to be made
+    idle,  ///< it is not due yet, or a foreign clock stands still; a tenth of a second of the wall's time has gone by
+    ended  ///< ROS shuts down, or `interrupted` is true
+  };
+  Wake wait(const std::atomic<bool>& interrupted);
 
-  /** The stamp of the tick that wait() returned for; zero while a foreign clock has not begun. */
+  /** The stamp of a tick that is due; zero while a foreign clock has not begun. */
   ros::Time stamp() const;
 
   /** Since the last call. Lateness is not known under a foreign clock. */
@@ -43,13 +48,15 @@ class Pacer {
  private:
   using Steady = std::chrono::steady_clock;
 
-  bool waitSteady();
+  Wake waitSteady(const std::atomic<bool>& interrupted);
+  Wake waitForeign(const std::atomic<bool>& interrupted);
+  void countLateness(Steady::time_point due);
 
   Mode mode_;
   std::chrono::duration<double> period_;
-  ros::Rate ros_rate_;
-  Steady::time_point origin_;  ///< tick k is due at origin_ + k·period_
-  std::int64_t due_ = 0;
+  ros::Time foreign_due_, foreign_last_;  ///< by a foreign clock: of the next tick, and of the last
+  Steady::time_point origin_;             ///< tick k is due at origin_ + k·period_
+  std::int64_t made_since_origin_ = 0;
   std::int64_t made_ = 0;  ///< ticks since the start, for the stamps of an own clock
 
   Steady::time_point counted_since_;

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ class ParameterError : public std::runtime_error {
 
 /**
  * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~publish_clock` and `~frame_prefix`.
- * Throws ParameterError, or scene::Error for a bad scene.
+ * @param cancel makes it give up looking for methods that meet an accuracy.
+ * Throws ParameterError, scene::Error for a bad scene, or cost::Cancelled.
  */
-Parameters readParameters(const ros::NodeHandle& private_handle);
+Parameters readParameters(const ros::NodeHandle& private_handle, const std::atomic<bool>& cancel);
 
 /** Throws ParameterError where the prefix makes a body's frame "world". */
 void checkPrefix(const std::string& frame_prefix, const scene::Scene& scene);
