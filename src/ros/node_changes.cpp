@@ -11,6 +11,7 @@
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/ros/number_text.h"
+#include "poinsot/ros/requests_text.h"
 #include "poinsot/ros/scene_list.h"
 #include "poinsot/scene/changes.h"
 #include "poinsot/scene/reader.h"
@@ -87,10 +88,7 @@ Node::Change Node::wantedOfPresentScene() const {
 
 void Node::ask(Change change) {
   // If it is refused, so is all that is done with it.
-  if (change_ && !change.all && !change.redraw) {
-    const bool named = change_->what.find(change.what) != std::string::npos;
-    change.what = change_->what + (named ? "" : " and " + change.what);
-  }
+  if (change_ && !change.all && !change.redraw) change.what = withAll(change_->what, change.what);
   change_ = std::move(change);
   if (rebuild_.busy()) {
     change_is_newer_ = true;
@@ -150,7 +148,7 @@ void Node::takeFinishedRebuild() {
   if (!problem.empty()) {
     if (change_->reset) clock_.jumpTo(0);
     const std::optional<double> sought = change_->seek;
-    const std::string what = change_->what;
+    const std::string what = joined(change_->what);
     change_.reset();
     if (sought) seek(*sought);
     refused(what + " refused: " + problem);
@@ -225,8 +223,8 @@ bool Node::onLoadScene(LoadScene::Request& request, LoadScene::Response& respons
     change.name = sceneName(file);
     change.file = file;
     change.all = change.from_start = true;
-    change.what = "scene " + change.name;
-    response.message = change.what + " is being made ready";
+    change.what = {"scene " + change.name};
+    response.message = change.what.front() + " is being made ready";
     const std::lock_guard<FairMutex> lock(mutex_);
     endHold();
     ask(std::move(change));
@@ -259,7 +257,7 @@ bool Node::onSetMethod(SetMethod::Request& request, SetMethod::Response& respons
     // What ~reset brings back is the start; the method stays.
     change.scene.bodies[i] = std::move(body);
     change.bodies.insert(i);
-    change.what = "method " + request.method + " of " + request.body;
+    change.what = {"method " + request.method + " of " + request.body};
     ask(std::move(change));
   };
   return answered(response, act, [this](const std::string& what) { refused(what); });
@@ -281,7 +279,7 @@ void Node::askForSpin(std::size_t i, const Eigen::Vector3d& omega_body) {
   change.scene.bodies[i] = scene::withSpin(change.scene.bodies[i], bodies_[i]->state(), omega_body);
   change.bodies.insert(i);
   change.from_start = true;
-  change.what = "spin of " + bodies_[i]->name();
+  change.what = {"spin of " + bodies_[i]->name()};
   ask(std::move(change));
 }
 
@@ -306,7 +304,7 @@ std::string Node::reset() {
   change.from_start = change.reset = true;
   change.redraw = change.redraw || changed;
   change.seek.reset();
-  change.what = "reset";
+  change.what = {"reset"};
   ask(std::move(change));
   return changed ? "going back to t = 0 and the scene's own spins" : "going back to t = 0";
 }
@@ -399,18 +397,15 @@ void Node::lead(const Touch& touch) {
   if (body.state().omega_body.isZero(0)) throw scene::Error("grip of " + touch.body + ": " + kRestsText);
   const double metres = body.picture().scale().metres_per_radian_per_second;
   const PrincipalInertia& inertia = body.motion().setup().inertia;
-  const auto principal = [&](const Eigen::Vector3d& in_body) -> Eigen::Vector3d {
-    return inertia.axes().conjugate() * in_body;
-  };
   const Eigen::Vector3d semi_axes =
-      metres * view::keptSemiAxes(inertia.moments(), principal(body.state().omega_body), keep_);
+      metres * view::keptSemiAxes(inertia.moments(), inertia.toPrincipal(body.state().omega_body), keep_);
   std::optional<Eigen::Vector3d> place;
   if (eye_ && viewpoint_subscriber_.getNumPublishers() > 0) {  // else whoever looked from there is gone
     const view::Layout& layout = body.picture().layout();
     const Eigen::Vector3d eye = layout.model_orientation.conjugate() * (*eye_ - layout.model_centre);
-    place = view::pointInSight(semi_axes, principal(eye), principal(touch.point));
+    place = view::pointInSight(semi_axes, inertia.toPrincipal(eye), inertia.toPrincipal(touch.point));
   } else {
-    place = view::pointTowards(semi_axes, principal(touch.point));
+    place = view::pointTowards(semi_axes, inertia.toPrincipal(touch.point));
   }
   if (!place) {
     throw scene::Error("grip of " + touch.body + ": (" + shown(touch.point.x()) + ", " + shown(touch.point.y()) + ", " +
@@ -423,7 +418,7 @@ void Node::lead(const Touch& touch) {
   const auto near = [&](const Eigen::Vector3d& seen) { return (touch.point - seen).stableNorm() < kClick; };
   if (!hold_->led && (near(hold_->taken_at) || near(omegaPoint(body)))) return;
   hold_->led = true;
-  hold_->omega_body = inertia.axes() * *place / metres;
+  hold_->omega_body = inertia.toBody(*place) / metres;
   scene::Body start = scene::withSpin(scene_.bodies[i], body.state(), hold_->omega_body);
   if (start.effects.empty()) {
     start.method = kClosedForm;  // only its start is looked at
@@ -462,7 +457,7 @@ void Node::choose(const Touch& touch) {
   const std::size_t i = indexOf(touch.body);
   endHold();
   const PrincipalInertia& inertia = bodies_[i]->motion().setup().inertia;
-  const Eigen::Vector3d omega = inertia.axes().conjugate() * bodies_[i]->state().omega_body;
+  const Eigen::Vector3d omega = inertia.toPrincipal(bodies_[i]->state().omega_body);
   if (omega.isZero(0)) throw scene::Error("spin of " + touch.body + ": " + kRestsText);
   Eigen::Vector3d chosen;
   if (touch.kind == Touch::Kind::axis) {
@@ -476,7 +471,7 @@ void Node::choose(const Touch& touch) {
       throw scene::Error("spin of " + touch.body + ": " + error.what() + "; allowed: spins about or near an axis");
     }
   }
-  askForSpin(i, inertia.axes() * chosen);
+  askForSpin(i, inertia.toBody(chosen));
 }
 
 void Node::publishPreview() {
@@ -517,7 +512,7 @@ void Node::publishStatus() {
   out.paused = clock_.paused();
   out.speed = clock_.speed();
   out.rate = rate_;
-  out.busy = change_ ? change_->what : seeker_.busy() ? "seek" : "";
+  out.busy = change_ ? joined(change_->what) : seeker_.busy() ? "seek" : "";
   out.refused = refused_;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = *bodies_[i];

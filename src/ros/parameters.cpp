@@ -35,12 +35,11 @@ void ifSet(const ros::NodeHandle& handle, const char* name, Use use) {
   throw ParameterError("parameter ~" + std::string(name) + ": " + shown(value) + " is not allowed; " + allowed + " is");
 }
 
+/** As in a scene file: a reader of parameter files has taken `1e2` for a text. */
 double readRate(XmlRpc::XmlRpcValue& value) {
-  double rate = std::nan("");
-  if (value.getType() == XmlRpc::XmlRpcValue::TypeDouble) rate = static_cast<double>(value);
-  if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) rate = static_cast<int>(value);
-  if (!(rate > 0) || !std::isfinite(rate)) refuse(names::kRate, value, "a positive finite number (Hz)");
-  return rate;
+  const std::string source = std::string("parameter ~") + names::kRate;
+  const bool text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
+  return scene::readRate(text ? YAML::Node(static_cast<std::string>(value)) : toYaml(value, source), source);
 }
 
 std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::string& allowed) {

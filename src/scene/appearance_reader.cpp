@@ -18,8 +18,12 @@ bool startsWith(const std::string& text, const std::string& head) {
   return text.compare(0, head.size(), head) == 0;
 }
 
+/** In capitals or not, as RViz takes it. @param tail in small letters. */
 bool endsWith(const std::string& text, const std::string& tail) {
-  return text.size() > tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  return text.size() > tail.size() &&
+         std::equal(tail.begin(), tail.end(), text.end() - static_cast<std::ptrdiff_t>(tail.size()),
+                    [&](char b, char a) { return same(a, b); });
 }
 
 /** package://, a name that a ROS package may have, a slash, and something. */

@@ -1,6 +1,8 @@
 #include "poinsot/scene/reader.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -14,6 +16,7 @@ namespace poinsot::scene {
 namespace {
 
 const char* const kWorldFrame = "world";
+constexpr double kFarthestSeen = 1e5;  // m: floats lie 8 mm apart there
 
 /** Who has which frame, by the place of its name. */
 class Frames {
@@ -54,6 +57,22 @@ void warnOfBodiesInOnePlace(const Place& bodies, Scene& scene) {
   }
 }
 
+/** Viewers compute in floats, which lie too far apart there to draw a body of some metres. */
+void warnOfFarBodies(const Place& bodies, Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    if (!body.translation) continue;
+    const double distance = body.translation->position.stableNorm();
+    if (!(distance > kFarthestSeen)) continue;
+    const auto seen = static_cast<float>(distance);
+    const double spacing = std::nextafter(seen, std::numeric_limits<float>::infinity()) - seen;
+    scene.warnings.push_back(bodies.item(i).called(body.name).message(
+        "starts " + shownNumber(distance, 3) + " m from the origin of frame world, where the floats of RViz lie " +
+        shownNumber(spacing, 2) + " m apart, so that it is not seen there; better: a position near the origin, or " +
+        body.name + "_space as RViz's fixed frame"));
+  }
+}
+
 Scene readScene(const Place& top, const ReadOptions& options) {
   const Fields fields(top, "a map with the keys rate, bodies");
   fields.allowOnly({"rate", "bodies"});
@@ -73,6 +92,7 @@ Scene readScene(const Place& top, const ReadOptions& options) {
     frames.claim(name, place.called(name).under(YAML::Node("name"), place.node()["name"]));
   }
   warnOfBodiesInOnePlace(bodies, scene);
+  warnOfFarBodies(bodies, scene);
   return scene;
 }
 
@@ -89,6 +109,10 @@ Scene readFile(const std::string& path, const ReadOptions& options) {
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options) {
   if (!tree.IsDefined()) throw Error(source + ": nothing is there; allowed: a map with the keys rate, bodies");
   return readScene(Place(tree, source), options);
+}
+
+double readRate(const YAML::Node& node, const std::string& source) {
+  return readNumber(Place(node, source), quantity::kRate);
 }
 
 }  // namespace poinsot::scene

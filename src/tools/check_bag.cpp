@@ -4,9 +4,11 @@
 #include <rosbag/view.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <iostream>
 
 #include "poinsot/audit/audit.h"
+#include "standard_output.h"
 
 namespace {
 
@@ -29,6 +31,13 @@ void read(const std::string& file, Audit& audit) {
       audit.add(*tf, topic == "/tf_static" || topic == "tf_static");
     }
   }
+}
+
+bool beginsAsBag(const std::string& file) {
+  const std::string magic = "#ROSBAG V2.0\n";
+  std::string begin(magic.size(), ' ');
+  std::ifstream in(file, std::ios::binary);
+  return in.read(&begin[0], static_cast<std::streamsize>(begin.size())) && begin == magic;
 }
 
 }  // namespace
@@ -62,6 +71,12 @@ int main(int argc, char** argv) {
   Audit audit(options);
   try {
     read(file, audit);
+  } catch (const rosbag::BagException& error) {
+    std::cerr << "check_bag: " << file << ": " << error.what() << "\n";
+    if (beginsAsBag(file)) {
+      std::cerr << "A recording that was cut off can be read after: rosbag reindex '" << file << "'\n";
+    }
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "check_bag: " << file << ": " << error.what() << "\n";
     return 2;
@@ -72,5 +87,11 @@ int main(int argc, char** argv) {
   }
   const poinsot::audit::Report report = audit.report();
   std::cout << report;
+  try {
+    poinsot::tools::flushStandardOutput();
+  } catch (const std::runtime_error& error) {
+    std::cerr << "check_bag: " << error.what() << "\n";
+    return 2;
+  }
   return report.passed() ? 0 : 1;
 }

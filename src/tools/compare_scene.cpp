@@ -13,6 +13,7 @@
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
+#include "standard_output.h"
 
 namespace {
 
@@ -115,8 +116,8 @@ void print(const Options& options) {
   out << YAML::EndSeq << YAML::EndMap;
   const std::string text = std::string(out.c_str()) + "\n";
   scene::readTree(YAML::Load(text), "the scene to compare");  // a step that the node would refuse is refused here
-  std::cout << text << std::flush;
-  if (!std::cout) throw std::runtime_error("standard output cannot be written");
+  std::cout << text;
+  tools::flushStandardOutput();
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/scene/reader.h"
+#include "standard_output.h"
 
 namespace {
 
@@ -43,10 +44,14 @@ int check(const std::string& file) {
     for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
     const double rate = scene.rate.value_or(poinsot::scene::kDefaultRate);
     for (const std::string& choice : poinsot::cost::settleMethods(scene, rate)) std::cout << choice << "\n";
+    poinsot::tools::flushStandardOutput();
     return 0;
   } catch (const poinsot::scene::Error& error) {
     std::cerr << error.what() << "\n";
     return kBadUse;
+  } catch (const std::exception& error) {
+    std::cerr << "poinsot_node: " << error.what() << "\n";
+    return kFailed;
   }
 }
 

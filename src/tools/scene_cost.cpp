@@ -15,6 +15,7 @@
 #include "poinsot/cost/settle.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
+#include "standard_output.h"
 
 namespace {
 
@@ -133,8 +134,8 @@ void run(const Options& options, const std::optional<double>& given_duration, co
     sink.flush();
     OutputFile::commit({&*file});
   }
-  std::cout << (csv_alone ? csv : text) << std::flush;
-  if (!std::cout) throw OutputError("standard output", "the disk is full, or nobody reads it");
+  std::cout << (csv_alone ? csv : text);
+  tools::flushStandardOutput();
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ class ParametersTest(unittest.TestCase):
             self.refused(name, {}, words + ["/scene"], self.file(text))
 
     def test_rate(self):
-        for value in (0, -60, 0.0, -1.5, math.nan, math.inf, "fast", "60", True, [60]):
+        for value in (0, -60, 0.0, -1.5, math.nan, math.inf, "fast", "0x10", True, [60]):
             self.refused("rate %r" % (value,), {"scene_file": self.good, "rate": value}, ["~rate", "positive"])
 
     def test_publish_clock(self):
@@ -163,6 +163,8 @@ class ParametersTest(unittest.TestCase):
         self.assertAlmostEqual(self.period({"scene_file": self.good}), 1 / 60.0, delta=1e-9)
         self.assertAlmostEqual(self.period({"scene_file": self.good, "rate": 20}), 0.05, delta=1e-9)
         self.assertAlmostEqual(self.period({"rate": 12.5}, self.good), 0.08, delta=1e-9)
+        # `rate: 1e2` of a parameter file: a text for its reader.
+        self.assertAlmostEqual(self.period({"scene_file": self.good, "rate": "1e2"}), 0.01, delta=1e-9)
 
     def test_moments_of_no_real_body_are_simulated_with_a_warning(self):
         path = self.file(GOOD.replace("[1, 2, 3]", "[1, 2, 10]"), "unphysical.yaml")

@@ -23,6 +23,9 @@ TEST(Appearance, IsOptionalAndChangesNothingElse) {
 TEST(Appearance, LiesAsTheMeshDoesUnlessTheSceneSaysOtherwise) {
   const auto plain = readBody({"appearance: {" + kBook + "}"}).appearance.value();
   EXPECT_EQ(plain.mesh, "package://poinsot/meshes/book.dae");
+  for (const char* mesh : {"package://a/b.DAE", "package://a/b.Stl"}) {
+    EXPECT_EQ(readBody({std::string("appearance: {mesh: ") + mesh + "}"}).appearance->mesh, mesh);
+  }
   EXPECT_EQ(plain.scale, Eigen::Vector3d(1, 1, 1));
   EXPECT_EQ(plain.position, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(plain.orientation.coeffs(), Eigen::Quaterniond(1, 0, 0, 0).coeffs());

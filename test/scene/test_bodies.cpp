@@ -87,6 +87,30 @@ TEST(Scene, RateIsPositive) {
   expectRefused("rate: [60]" + rest, 1, "rate", {"a list of 1 is not a number", allowed});
 }
 
+TEST(Scene, ARateIsReadAlikeWhereverItStands) {
+  for (const char* text : {"100", "1e2", "+100.0", "1E+2"}) {
+    EXPECT_EQ(poinsot::scene::readRate(YAML::Node(std::string(text)), "parameter ~rate"), 100) << text;
+  }
+  for (const char* text : {"0", "-1", "fast", "0x10", ".inf", ""}) {
+    EXPECT_THROW(poinsot::scene::readRate(YAML::Node(std::string(text)), "parameter ~rate"), poinsot::scene::Error)
+        << text;
+  }
+}
+
+TEST(Scene, BodiesThatNoViewerShowsMakeAWarning) {
+  const auto warnings = [](const char* position) {
+    return read(body({std::string("effects: [{type: translation, position: ") + position + "}]"})).warnings;
+  };
+  EXPECT_TRUE(warnings("[9e3, 0, 0]").empty());
+  ASSERT_EQ(warnings("[0, 4e6, 0]").size(), 1u);
+  EXPECT_NE(
+      warnings("[0, 4e6, 0]")[0].find("bodies[0] \"brick\": starts 4e+06 m from the origin of frame world, where the "
+                                      "floats of RViz lie 0.25 m apart"),
+      std::string::npos)
+      << warnings("[0, 4e6, 0]")[0];
+  EXPECT_NE(warnings("[0, 4e6, 0]")[0].find("brick_space as RViz's fixed frame"), std::string::npos);
+}
+
 TEST(Scene, BodiesAreANonEmptyListOfMaps) {
   expectRefused("rate: 60\n", 1, "", {"bodies is missing", "a list of at least one body"});
   expectRefused("bodies: []\n", 1, "bodies", {"an empty list", "a list of at least one body"});

@@ -52,6 +52,12 @@ TEST(CompareScene, aSceneThatIsNoRegularFileIsRefused) {
             "compare_scene: /dev/zero: is a character device; expected a regular file of at most 4194304 bytes\n");
 }
 
+TEST(CompareScene, outputThatDoesNotArriveIsAnError) {
+  const Outcome outcome = compareScene(kFlip + " > /dev/full");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("standard output cannot be written"), std::string::npos) << outcome.err;
+}
+
 TEST(CompareScene, badUse) {
   const auto expectRefusal = [](const std::string& arguments, const std::string& words) {
     const Outcome outcome = compareScene(arguments);

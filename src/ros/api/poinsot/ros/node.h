@@ -77,13 +77,13 @@ class Node {
   struct Change {
     scene::Scene scene, start_scene;  ///< as it is to be; as ~reset is to bring it back
     std::string name, file;
-    std::set<std::size_t> bodies;  ///< to be made anew
-    bool all = false;              ///< another scene: no body stays
-    bool from_start = false;       ///< at t = 0
-    bool redraw = false;           ///< pictures are laid out anew
-    bool reset = false;            ///< ~reset is part of it
-    std::optional<double> seek;    ///< where t is to go when it is done
-    std::string what;              ///< is being done, in words
+    std::set<std::size_t> bodies;   ///< to be made anew
+    bool all = false;               ///< another scene: no body stays
+    bool from_start = false;        ///< at t = 0
+    bool redraw = false;            ///< pictures are laid out anew
+    bool reset = false;             ///< ~reset is part of it
+    std::optional<double> seek;     ///< where t is to go when it is done
+    std::vector<std::string> what;  ///< is being done, each in words
   };
   /** The scene as it is to be once all that was asked for is done. */
   Change wanted() const;

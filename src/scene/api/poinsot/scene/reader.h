@@ -40,4 +40,8 @@ Scene readFile(const std::string& path, const ReadOptions& options = {});
  */
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options = {});
 
+/** A rate as the key `rate` of a scene takes it [Hz], wherever it stands. Throws Error. @param source names the place.
+ */
+double readRate(const YAML::Node& node, const std::string& source);
+
 }  // namespace poinsot::scene
