@@ -1,12 +1,15 @@
 #include "state_table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "poinsot/core/motion.h"
 #include "poinsot/scene/motion_setup.h"
+#include "worst_errors.h"
 
 namespace poinsot::tools {
 namespace {
@@ -28,44 +31,116 @@ std::string shown(double value) {
   return std::string(text, print(text, text + sizeof text, value));
 }
 
-void appendRow(const std::string& name, const MotionState& s, std::string& out) {
-  const double numbers[] = {s.time,         s.attitude.w(),   s.attitude.x(),   s.attitude.y(),
-                            s.attitude.z(), s.omega_body.x(), s.omega_body.y(), s.omega_body.z(),
-                            s.position.x(), s.position.y(),   s.position.z()};
-  char text[11 * 26];
+template <std::size_t n>
+void appendNumbers(const double (&numbers)[n], std::string& out) {
+  char text[n * 26];
   char* at = text;
   for (const double number : numbers) {
     *at++ = ',';
     at = print(at, text + sizeof text, number + 0.0);  // no "-0"
   }
-  *at++ = '\n';
-  out += name;
   out.append(text, at);
 }
 
+/** One body's way through the table. */
+class Run {
+ public:
+  explicit Run(const scene::Body& body)
+      : body_(body),
+        motion_(scene::motionSetup(body)),
+        start_(motion_.at(0).invariants()),
+        judged_(!motion_.inClosedForm() && motion_.closedForm()) {}
+
+  /** Throws std::runtime_error where the body has no state. */
+  MotionState at(double t) {
+    try {
+      MotionState state = motion_.at(t);
+      if (judged_) worst_.add(t, motion_.attitudeError(state), energyDrift(state.invariants(), start_));
+      return state;
+    } catch (const std::runtime_error& error) {  // range_error, NoConvergence
+      throw std::runtime_error("body " + body_.name + " under " + body_.method + " at t = " + shown(t) +
+                               " s: " + error.what());
+    }
+  }
+
+  void appendRow(double t, const MoreColumns& columns, std::string& out) {
+    const MotionState s = at(t);
+    out += body_.name;
+    appendNumbers({s.time, s.attitude.w(), s.attitude.x(), s.attitude.y(), s.attitude.z(), s.omega_body.x(),
+                   s.omega_body.y(), s.omega_body.z(), s.position.x(), s.position.y(), s.position.z()},
+                  out);
+    if (columns.energy) {
+      appendNumbers({s.kinetic_energy, s.momentum_world.x(), s.momentum_world.y(), s.momentum_world.z()}, out);
+    }
+    if (columns.errors) appendNumbers({motion_.attitudeError(s), energyDrift(s.invariants(), start_)}, out);
+    out += '\n';
+  }
+
+  void appendWorst(std::vector<std::string>& out) const {
+    if (!judged_) return;
+    char step[32];
+    std::snprintf(step, sizeof step, "%.9g", *motion_.setup().step);
+    out.push_back("body " + body_.name + ": " + body_.method + " with a step of " + step + " s: " + worst_.text());
+  }
+
+ private:
+  const scene::Body& body_;
+  Motion motion_;
+  Invariants start_;
+  bool judged_;
+  WorstErrors worst_;
+};
+
 }  // namespace
 
-void writeStateTable(const scene::Scene& scene, const SampleTimes& times, TextSink& out,
-                     const std::function<void(std::int64_t)>& done) {
+MoreColumns readColumns(const std::string& text) {
+  MoreColumns out;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (word == "energy") {
+      out.energy = true;
+    } else if (word == "errors") {
+      out.errors = true;
+    } else if (word != "states") {
+      throw std::invalid_argument("expected states, energy and errors, separated by commas, got \"" + word + "\"");
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> writeStateTable(const scene::Scene& scene, const SampleTimes& times,
+                                         const MoreColumns& columns, TextSink& out,
+                                         const std::function<void(std::int64_t)>& done) {
   const auto count = static_cast<std::int64_t>(times.count());
-  out.text() += "body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz\n";
+  out.text() += "body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz";
+  if (columns.energy) out.text() += ",E,Lx,Ly,Lz";
+  if (columns.errors) out.text() += ",attitude_error,energy_drift";
+  out.text() += '\n';
+  std::vector<std::string> worst;
   for (const scene::Body& body : scene.bodies) {
-    Motion motion(scene::motionSetup(body));
+    Run run(body);
     for (std::int64_t k = 0; k < count;) {
       const std::int64_t end = std::min(count, k + kRowsAtOnce), rows = end - k;
-      for (; k < end; ++k) {
-        try {
-          appendRow(body.name, motion.at(times.at(k)), out.text());
-        } catch (const std::runtime_error& error) {  // range_error, NoConvergence
-          throw std::runtime_error("body " + body.name + " under " + body.method + " at t = " + shown(times.at(k)) +
-                                   " s: " + error.what());
-        }
-      }
+      for (; k < end; ++k) run.appendRow(times.at(k), columns, out.text());
       out.pour();
       done(rows);
     }
+    run.appendWorst(worst);
   }
   out.flush();
+  return worst;
+}
+
+std::vector<std::string> worstErrorsOf(const scene::Scene& scene, const SampleTimes& times) {
+  const auto count = static_cast<std::int64_t>(times.count());
+  std::vector<std::string> worst;
+  for (const scene::Body& body : scene.bodies) {
+    if (!body.effects.empty() || !body.step) continue;
+    Run run(body);
+    for (std::int64_t k = 0; k < count; ++k) run.at(times.at(k));
+    run.appendWorst(worst);
+  }
+  return worst;
 }
 
 }  // namespace poinsot::tools

@@ -297,6 +297,21 @@ TEST(Propagate, rowsThatAStepperDoesNotFollowAreNamed) {
   for (const char* line : {"line 2", "line 4"}) EXPECT_EQ(outcome.err.find(line), std::string::npos) << outcome.err;
 }
 
+TEST(Propagate, rowsThatAStepperLosesOnTheWayAreToldOf) {
+  // Steps that follow each turn, and errors that add up.
+  const auto err = [](const std::string& way, const std::string& row) {
+    const Outcome outcome = propagate(way, kHeader + row);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  const std::string rod = "rod,1.7231e-4,6.58e-6,1.7243e-4,1,0,0,0,5,60,3,";
+  EXPECT_NE(err("--method lie_euler --step 0.001", rod + "10\n").find("energy drift at most"), std::string::npos);
+  EXPECT_EQ(err("--method lie_euler --step 0.001", rod + "1e-3\n").find("energy drift"), std::string::npos);
+  EXPECT_NE(err("--method rk4 --step 0.1", rowWith(11, "50000")).find("rad from the closed form (t = 50000 s)"),
+            std::string::npos);
+  EXPECT_EQ(err("", rowWith(11, "50000")), "");
+}
+
 TEST(Propagate, anAngularVelocityThatOverflowsIsNoResult) {
   // E = 1e300 J is finite, but turns a moment of 1e-320 kg·m² faster than doubles can say.
   const Outcome outcome = propagate("", kHeader + kRow + "b,1e-320,1,2,1,0,0,0,0,1e150,1e150,1\n");

@@ -179,6 +179,72 @@ TEST_F(Simulate, seventeenDigitsBringEveryBitBack) {
   }
 }
 
+/** The cells of a line but for the first, the body's name. */
+std::vector<double> numbersOf(const std::string& line) {
+  std::istringstream cells(line);
+  std::string cell;
+  std::getline(cells, cell, ',');
+  std::vector<double> out;
+  while (std::getline(cells, cell, ',')) out.push_back(std::strtod(cell.c_str(), nullptr));
+  return out;
+}
+
+TEST_F(Simulate, moreColumns) {
+  const std::string text =
+      "bodies:\n"
+      "  - {name: exact, inertia: [1, 2, 3], attitude: [1, 2, 3, 4], angular_velocity: [0.3, 1, -0.2]}\n"
+      "  - {name: stepped, inertia: [1, 2, 3], attitude: [1, 2, 3, 4], angular_velocity: [0.3, 1, -0.2], method: "
+      "lie_euler, step: 0.01, effects: [{type: translation, position: [9, 0, 0]}]}\n"
+      "  - {name: top, inertia: [1, 2, 3], angular_velocity: [0.3, 1, 5], effects: [{type: gravity_torque, mass: 1, "
+      "centre_of_mass: [0, 0, 0.1]}]}\n";
+  const Outcome outcome = simulate(text, "--duration 3 --rate 10 --csv - --columns states,energy,errors");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream in(outcome.out);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, kHeader + ",E,Lx,Ly,Lz,attitude_error,energy_drift");
+  std::vector<std::vector<double>> exact, stepped;
+  int rows = 0;
+  for (; std::getline(in, line); ++rows) {
+    const std::vector<double> v = numbersOf(line);
+    ASSERT_EQ(v.size(), 17u) << line;
+    const Eigen::Vector3d omega(v[5], v[6], v[7]), moments(1, 2, 3);
+    EXPECT_NEAR(v[11], 0.5 * omega.dot(moments.cwiseProduct(omega)), 1e-15 * v[11]);
+    const Eigen::Vector3d momentum = Eigen::Quaterniond(v[1], v[2], v[3], v[4]) * moments.cwiseProduct(omega);
+    EXPECT_LT((Eigen::Vector3d(v[12], v[13], v[14]) - momentum).norm(), 2e-15 * momentum.norm());
+    if (line.rfind("exact", 0) == 0) exact.push_back(v);
+    if (line.rfind("stepped", 0) == 0) stepped.push_back(v);
+    if (line.rfind("top", 0) == 0) {
+      EXPECT_TRUE(std::isnan(v[15])) << line;
+    }
+  }
+  EXPECT_EQ(rows, 3 * 31);
+  ASSERT_EQ(exact.size(), stepped.size());
+  double worst = 0;
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    EXPECT_EQ(exact[k][15], 0);
+    const auto attitude = [](const std::vector<double>& v) { return Eigen::Quaterniond(v[1], v[2], v[3], v[4]); };
+    const double apart = attitude(exact[k]).angularDistance(attitude(stepped[k]));
+    EXPECT_NEAR(stepped[k][15], apart, 1e-7);
+    EXPECT_NEAR(stepped[k][16], stepped[k][11] / stepped[0][11] - 1, 1e-14);
+    worst = std::max(worst, stepped[k][15]);
+  }
+  EXPECT_GT(worst, 1e-4);
+  // stderr says the worst of the body that is stepped, and of no other.
+  char said[64];
+  std::snprintf(said, sizeof said, "body stepped: lie_euler with a step of 0.01 s: at most %.3g rad", worst);
+  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("body exact"), std::string::npos);
+  EXPECT_NE(simulate(text, "--duration 3 --rate 10 --no-markers --bag a.bag").err.find(said), std::string::npos);
+
+  const std::string plain = simulate(text, "--duration 3 --rate 10 --csv -").out;
+  EXPECT_EQ(simulate(text, "--duration 3 --rate 10 --csv - --columns states").out, plain);
+  const std::string energy = simulate(text, "--duration 3 --rate 10 --csv - --columns energy").out;
+  EXPECT_EQ(energy.substr(0, energy.find('\n')), kHeader + ",E,Lx,Ly,Lz");
+  expectRefused(kTop, "--duration 3 --csv a.csv --columns states,speed", 2,
+                {"--columns", "expected states, energy and errors", "speed"});
+}
+
 TEST_F(Simulate, theSameBytesEveryTime) {
   const std::string accurate =
       "bodies:\n  - {name: top, inertia: [1, 2, 3], angular_velocity: [0.3, 1, 0.2], method: stepper, accuracy: "
