@@ -9,6 +9,7 @@
 #include "closed_form/wide.h"
 #include "messages.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/pi.h"
 
 namespace poinsot {
 namespace {
@@ -124,11 +125,11 @@ double ClosedForm::timeToNextFlip(double t) const {
 
 double ClosedForm::montgomeryAngle() const {
   if (constants_.kind != Constants::Kind::periodic) return std::numeric_limits<double>::quiet_NaN();
-  return 8 * M_PI * (constants_.rate.turn.high / std::abs(constants_.rate.half.high));
+  return 8 * kPi * (constants_.rate.turn.high / std::abs(constants_.rate.half.high));
 }
 
 double ClosedForm::precessionRate() const {
-  return 4 * M_PI * constants_.rate.turn.high * constants_.time_scale;
+  return 4 * kPi * constants_.rate.turn.high * constants_.time_scale;
 }
 
 }  // namespace poinsot

@@ -52,6 +52,14 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
   return {ratios * largest, Eigen::Quaterniond(vectors).normalized()};
 }
 
+Eigen::Vector3d PrincipalInertia::toPrincipal(const Eigen::Vector3d& in_body) const {
+  return axes_.conjugate() * in_body;
+}
+
+Eigen::Vector3d PrincipalInertia::toBody(const Eigen::Vector3d& in_principal) const {
+  return axes_ * in_principal;
+}
+
 Eigen::Matrix3d PrincipalInertia::tensor() const {
   if (axes_.vec().isZero(0)) return moments_.asDiagonal();
   const Eigen::Matrix3d a = axes_.toRotationMatrix();

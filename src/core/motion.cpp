@@ -61,13 +61,9 @@ Quaternion principalAttitude(const MotionSetup& setup) {
   return principalAxesAreBodyAxes(setup) ? setup.attitude : Quaternion(setup.attitude * setup.inertia.axes());
 }
 
-Eigen::Vector3d principalOmega(const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body) {
-  return inertia.axes().conjugate() * omega_body;
-}
-
 RotationState startOf(const MotionSetup& setup) {
   return RotationState::fromOmega(setup.inertia.moments(), principalAttitude(setup),
-                                  principalOmega(setup.inertia, setup.omega_body));
+                                  setup.inertia.toPrincipal(setup.omega_body));
 }
 
 FreeFlow freeFlow(const MotionSetup& setup) {
@@ -82,7 +78,7 @@ TorquedFlow torquedFlow(const MotionSetup& setup) {
 TorquedState torquedStart(const MotionSetup& setup, const Torques& torques) {
   TorquedState start;
   start.rotation = startOf(setup);
-  if (torques.slug()) start.slug_omega = principalOmega(setup.inertia, setup.omega_body);
+  if (torques.slug()) start.slug_omega = setup.inertia.toPrincipal(setup.omega_body);
   return start;
 }
 
@@ -96,7 +92,7 @@ std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& o
   if (omega_body.isZero(0)) return "";
   const Invariants invariants = invariantsOf(
       inertia.moments(),
-      RotationState::fromOmega(inertia.moments(), Eigen::Quaterniond::Identity(), principalOmega(inertia, omega_body)));
+      RotationState::fromOmega(inertia.moments(), Eigen::Quaterniond::Identity(), inertia.toPrincipal(omega_body)));
   const auto problem = [](const char* what, double value) -> std::string {
     if (!std::isfinite(value)) return std::string(what) + " is not finite in double precision";
     const bool small = value < std::numeric_limits<double>::min();
@@ -138,8 +134,7 @@ Motion::Motion(const MotionSetup& setup)
     torqued_.emplace(flow, torquedStart(setup_, flow.stepper->torques()), *setup_.step);
     return;
   }
-  exact_.emplace(setup_.inertia.moments(), principalAttitude(setup_),
-                 principalOmega(setup_.inertia, setup_.omega_body));
+  exact_.emplace(setup_.inertia.moments(), principalAttitude(setup_), setup_.inertia.toPrincipal(setup_.omega_body));
   if (setup_.method != kClosedForm) grid_.emplace(freeFlow(setup_), startOf(setup_), *setup_.step);
 }
 
@@ -202,7 +197,7 @@ void Motion::describeTorques(const TorquedState& principal, MotionState& out) co
   out.torque_world = rotation.attitude * torques.at(out.time, constant, rotation.attitude,
                                                     rotation.omegaBody(torques.moments()), principal.slug_omega);
   if (torques.slug()) {
-    out.slug_omega = setup_.inertia.axes() * principal.slug_omega;
+    out.slug_omega = setup_.inertia.toBody(principal.slug_omega);
     out.momentum_world += rotation.attitude * (torques.slug()->inertia * principal.slug_omega);
   }
   if (!out.torque_world.allFinite() || !out.slug_omega.allFinite() || !out.momentum_world.allFinite()) {
@@ -219,7 +214,7 @@ MotionState Motion::describe(double t, const RotationState& principal, const Eig
   } else {
     out.attitude = principal.attitude * setup_.inertia.axes().conjugate();
     renormalise(out.attitude);
-    out.omega_body = setup_.inertia.axes() * omega;
+    out.omega_body = setup_.inertia.toBody(omega);
   }
   out.omega_world = principal.attitude * omega;
   const Invariants invariants = invariantsOf(setup_.inertia.moments(), principal);

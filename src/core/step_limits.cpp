@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/pi.h"
@@ -192,8 +193,7 @@ double largestSound(const Trial& trial, double step) {
 OrbitRates orbitRates(const Vector3d& moments, const Vector3d& omega) {
   const double size = omega.cwiseAbs().maxCoeff();
   if (size == 0) return {0, 0};
-  int axis[] = {0, 1, 2};
-  std::sort(axis, axis + 3, [&](int i, int j) { return moments[i] < moments[j]; });
+  const std::array<int, 3> axis = ascendingAxes(moments);
   const double a = moments[axis[0]], b = moments[axis[1]], c = moments[axis[2]];
   const Vector3d o(omega[axis[0]] / size, omega[axis[1]] / size, omega[axis[2]] / size);
   const double turn = std::sqrt(o[0] * o[0] + o[2] * o[2] + o[1] * o[1] * (b / a) * ((a - b) / c + 1));

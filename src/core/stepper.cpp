@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "kept_momentum.h"
+#include "poinsot/core/inertia.h"
 #include "steppers/buss2.h"
 #include "steppers/buss3.h"
 #include "steppers/buss4.h"
@@ -52,13 +53,6 @@ void findKept(RotationState& state, const Eigen::Vector3d& moments, const steppe
   } else {
     state.kept_energy_gaps = energy.gaps(state);
   }
-}
-
-/** The axis of the moment that is neither the largest nor the smallest. */
-int intermediateAxis(const Eigen::Vector3d& moments) {
-  int axes[] = {0, 1, 2};
-  std::sort(axes, axes + 3, [&](int i, int j) { return moments[i] < moments[j]; });
-  return axes[1];
 }
 
 /**
@@ -110,7 +104,7 @@ class BatchStepper final : public Stepper {
  public:
   explicit BatchStepper(const Eigen::Vector3d& moments)
       : moments_scale_(excess(moments.maxCoeff())),
-        unstable_axis_(intermediateAxis(moments)),
+        unstable_axis_(ascendingAxes(moments)[1]),
         moments_(moments.unaryExpr([this](double value) { return std::ldexp(value, -moments_scale_); })),
         scheme_(moments_),
         energy_(moments_) {}

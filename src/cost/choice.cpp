@@ -42,10 +42,9 @@ class Search {
         costs_(costs),
         cancel_(cancel),
         start_(RotationState::fromOmega(setup.inertia.moments(), setup.attitude.normalized() * setup.inertia.axes(),
-                                        setup.inertia.axes().conjugate() * setup.omega_body)),
+                                        setup.inertia.toPrincipal(setup.omega_body))),
         exact_(setup.inertia.moments(), start_.attitude, start_.omegaBody(setup.inertia.moments())) {
-    const double fastest =
-        orbitRates(setup.inertia.moments(), setup.inertia.axes().conjugate() * setup.omega_body).fastest();
+    const double fastest = orbitRates(setup.inertia.moments(), setup.inertia.toPrincipal(setup.omega_body)).fastest();
     longest_ = std::min(wish.horizon, std::max(1 / wish.rate, fastest > 0 ? kLongestAngle / fastest : wish.horizon));
   }
 

@@ -188,7 +188,7 @@ class Stretches {
 
   void findTorquedStates() {
     const std::shared_ptr<TorqueStepper> all = stepper(setup_.effects);
-    const Eigen::Vector3d omega = setup_.inertia.axes().conjugate() * setup_.omega_body;
+    const Eigen::Vector3d omega = setup_.inertia.toPrincipal(setup_.omega_body);
     TorquedState state;
     state.rotation =
         RotationState::fromOmega(setup_.inertia.moments(), setup_.attitude.normalized() * setup_.inertia.axes(), omega);

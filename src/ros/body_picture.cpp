@@ -225,7 +225,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       closed_form_(motion.closedForm() ? std::make_optional(*motion.closedForm()) : std::nullopt),
       may_flip_(closed_form_ && view::flipsOf(*closed_form_, 0, 1).flips),
       momentum_is_constant_(motion.conservesMomentum()),
-      omega_principal_(inertia_.axes().conjugate() * start_.omega_body),
+      omega_principal_(inertia_.toPrincipal(start_.omega_body)),
       polhode_(view::polhode(inertia_.moments(), omega_principal_, kPolhodePoints)),
       scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
       trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
@@ -242,7 +242,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   path_rides_ = std::all_of(body.effects.begin(), body.effects.end(), is_inside);
   layout_ = keep ? keep->layout
                  : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
-                                  omega_principal_, inertia_.axes().conjugate() * reach_.omega_later);
+                                  omega_principal_, inertia_.toPrincipal(reach_.omega_later));
   if (torqued_) {
     effects_.emplace(
         brush_, motion,
@@ -419,7 +419,7 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
                                            const Eigen::Vector3d& torque_world, MarkerArray& out) {
   const double metres = scale_.metres_per_radian_per_second;
   const Eigen::Vector3d& moments = inertia_.moments();
-  const Eigen::Vector3d omega = inertia_.axes().conjugate() * state.omega_body;
+  const Eigen::Vector3d omega = inertia_.toPrincipal(state.omega_body);
   // Of the body alone, without the slug that may be inside: Ω lies on these.
   const Eigen::Vector3d momentum = moments.cwiseProduct(omega);
   const double kinetic_energy = 0.5 * momentum.dot(omega), momentum_squared = momentum.squaredNorm();

@@ -16,8 +16,7 @@ constexpr double kSmallestKept = 0.55, kLargestKept = 1.35;
 
 std::optional<PictureFrame> ifItFits(const std::optional<PictureFrame>& keep, const scene::Body& body) {
   if (!keep) return std::nullopt;
-  const Eigen::Vector3d momentum =
-      body.inertia.moments().cwiseProduct(body.inertia.axes().conjugate() * body.omega_body);
+  const Eigen::Vector3d momentum = body.inertia.moments().cwiseProduct(body.inertia.toPrincipal(body.omega_body));
   const double drawn =
       keep->scale.metres_per_radian_per_second * (momentum.stableNorm() / body.inertia.moments().minCoeff());
   if (drawn >= kSmallestKept && drawn <= kLargestKept) return keep;

@@ -35,7 +35,7 @@ double roundStep(double x) {
 }
 
 double suitableStep(Body body) {
-  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
+  const Eigen::Vector3d omega = body.inertia.toPrincipal(body.omega_body);
   const double fastest = orbitRates(body.inertia.moments(), omega).fastest();
   body.step = fastest > 0 ? roundStep(kTurnPerStep / fastest) : kStepAtRest;
   const StepVerdict verdict = verdictOnStep(body);

@@ -16,7 +16,7 @@ double roundedDown(double x) {
 }
 
 StepJudgement judgement(const Body& body) {
-  const Eigen::Vector3d omega = body.inertia.axes().conjugate() * body.omega_body;
+  const Eigen::Vector3d omega = body.inertia.toPrincipal(body.omega_body);
   if (body.effects.empty()) return judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
   return judgeTorqueStep(*findTorqueMethod(body.method), sumOf(body.inertia, body.effects),
                          body.attitude * body.inertia.axes(), omega, *body.step);

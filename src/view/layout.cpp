@@ -1,7 +1,8 @@
 #include "poinsot/view/layout.h"
 
 #include <algorithm>
-#include <array>
+
+#include "poinsot/core/inertia.h"
 
 namespace poinsot::view {
 namespace {
@@ -14,9 +15,7 @@ constexpr double kTurn = 0.6;          // rad, of the axis that the polhode goes
 /** Principal axes → world. */
 Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime, const Eigen::Vector3d& omega,
                                    const Eigen::Vector3d& omega_later) {
-  std::array<int, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return moments[a] < moments[b]; });
-  const int small = order[0], middle = order[1], large = order[2];
+  const auto [small, middle, large] = ascendingAxes(moments);
   const int front = regime == Regime::about_smallest ? small : large;
   const int side = small + large - front;
   Eigen::Matrix3d r = Eigen::Matrix3d::Zero();

@@ -12,7 +12,7 @@ constexpr double kMostSteps = 1e5;
 
 void extend(Reach& reach, const Motion& motion, const MotionState& state) {
   const PrincipalInertia& inertia = motion.setup().inertia;
-  const Eigen::Vector3d momentum = inertia.moments().cwiseProduct(inertia.axes().conjugate() * state.omega_body);
+  const Eigen::Vector3d momentum = inertia.moments().cwiseProduct(inertia.toPrincipal(state.omega_body));
   reach.semi_axis = std::max(reach.semi_axis, momentum.stableNorm() / inertia.moments().minCoeff());
   reach.momentum = std::max(reach.momentum, state.momentum_world.stableNorm());
   reach.torque = std::max(reach.torque, externalTorque(motion, state).stableNorm());

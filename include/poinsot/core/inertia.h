@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "poinsot/core/eigen_types.h"
 
 namespace poinsot {
@@ -34,6 +37,10 @@ class PrincipalInertia {
   /** Principal axes → body axes, unit: v_body = axes() * v_principal. */
   const Quaternion& axes() const { return axes_; }
 
+  /** The same vector in the other axes. */
+  Eigen::Vector3d toPrincipal(const Eigen::Vector3d& in_body) const;
+  Eigen::Vector3d toBody(const Eigen::Vector3d& in_principal) const;
+
   /** M in body axes [kg·m²]. */
   Eigen::Matrix3d tensor() const;
 
@@ -46,5 +53,12 @@ class PrincipalInertia {
   Eigen::Vector3d moments_;
   Quaternion axes_;
 };
+
+/** The axes of the smallest, the intermediate and the largest moment, each 0, 1 or 2. */
+inline std::array<int, 3> ascendingAxes(const Eigen::Vector3d& moments) {
+  std::array<int, 3> axes{0, 1, 2};
+  std::sort(axes.begin(), axes.end(), [&](int i, int j) { return moments[i] < moments[j]; });
+  return axes;
+}
 
 }  // namespace poinsot

@@ -2,11 +2,10 @@
 
 #include "elementary.h"
 #include "poinsot/core/closed_form_constants.h"
+#include "poinsot/core/pi.h"
 
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
-
-constexpr double kPi = 3.141592653589793238462643;
 
 /** Below this nome the hyperbolic series need fewer terms. */
 constexpr double kShortNome = 3e-5;

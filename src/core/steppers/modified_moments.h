@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "poinsot/core/inertia.h"
+
 namespace poinsot::steppers {
 
 /**
@@ -29,8 +31,7 @@ Eigen::Vector3d modifiedInverses(const Eigen::Vector3d& moments, double inverse_
   // In units in which |L| = 1 and h/2 = 1.
   const Eigen::Vector3d inverse = moments.cwiseInverse(), b = half_angular * inverse;
   if constexpr (terms == 1) return b;
-  int axis[3] = {0, 1, 2};
-  std::sort(axis, axis + 3, [&](int i, int j) { return moments[i] < moments[j]; });
+  const std::array<int, 3> axis = ascendingAxes(moments);
   const double m1 = moments[axis[0]], m2 = moments[axis[1]], m3 = moments[axis[2]];
   const double b1 = b[axis[0]], b2 = b[axis[1]], b3 = b[axis[2]];
   const double spread = (m3 - m1) / m1 / m3;

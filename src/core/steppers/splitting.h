@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "poinsot/core/inertia.h"
 #include "poinsot/core/work.h"
 #include "steppers/rotate.h"
 
@@ -59,7 +60,7 @@ class Splitting {
   };
 
   explicit Splitting(const Eigen::Vector3d& moments) {
-    std::sort(axis_, axis_ + 3, [&](int i, int j) { return moments[i] < moments[j]; });
+    axis_ = ascendingAxes(moments);
     const double a = moments[axis_[0]], b = moments[axis_[1]], c = moments[axis_[2]];
     rate_a_ = (b - a) / a / b;
     rate_c_ = -((c - b) / c / b);
@@ -117,7 +118,7 @@ class Splitting {
     q[k] = qk * c - qj * s;
   }
 
-  int axis_[3] = {0, 1, 2};  ///< of smallest, intermediate and largest moment
+  std::array<int, 3> axis_;  ///< of smallest, intermediate and largest moment
   double rate_a_, rate_c_, rate_;
 };
 
