@@ -9,7 +9,7 @@ namespace poinsot::tools {
 inline void flushStandardOutput() {
   std::cout << std::flush;
   if (!std::cout) {
-    throw std::runtime_error("standard output cannot be written: the disk is full, or nobody reads it");
+    throw std::runtime_error("cannot write standard output: the disk is full, or nobody reads it");
   }
 }
 

@@ -55,7 +55,7 @@ TEST(CompareScene, aSceneThatIsNoRegularFileIsRefused) {
 TEST(CompareScene, outputThatDoesNotArriveIsAnError) {
   const Outcome outcome = compareScene(kFlip + " > /dev/full");
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.err.find("standard output cannot be written"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot write standard output"), std::string::npos) << outcome.err;
 }
 
 TEST(CompareScene, badUse) {
