@@ -22,6 +22,7 @@ bad() {
 expect() {
   local words=$1 code=$2 pattern=$3 got log
   shift 3
+  mkdir -p "$logs"
   log=$logs/$(printf %s "$words" | tr -c 'A-Za-z0-9\n' _).log
   "$@" > "$log" 2>&1 < /dev/null
   got=$?
@@ -29,7 +30,7 @@ expect() {
     good "$words"
   else
     bad "$words: exit $got, expected $code and /$pattern/; its output is in $log" < <(
-      grep -m 1 -A 40 -E 'runtime error|[ :]error: |ERROR: |WARNING: ThreadSanitizer|Failure$|FAILURE' "$log" || tail -n 15 "$log")
+      grep -m 1 -A 40 -E 'runtime error|[ :]error: |ERROR: |WARNING: ThreadSanitizer|Failure$|FAILURE' "$log" || tail -n 40 "$log")
   fi
 }
 

@@ -84,6 +84,12 @@ def print_each(words):
     return 0 if words else 2
 
 
+def words_of(trouble):
+    """Google Test says the same in the message and in the text, rostest does not."""
+    message, text = (trouble.get("message") or "").strip(), (trouble.text or "").strip()
+    return text if message in text else message + "\n" + text
+
+
 def cases(path):
     """Yields (name, outcome, text) of each test case in a JUnit file."""
     try:
@@ -95,7 +101,7 @@ def cases(path):
         name = "%s.%s" % (case.get("classname", ""), case.get("name", ""))
         trouble = [e for e in case if e.tag in ("failure", "error")]
         if trouble:
-            yield name, "failed", "\n".join((e.get("message") or "") + "\n" + (e.text or "") for e in trouble).strip()
+            yield name, "failed", "\n".join(words_of(e) for e in trouble).strip()
         elif case.get("status") == "notrun" or case.find("skipped") is not None:
             yield name, "skipped", (case.findtext("skipped") or "")
         else:

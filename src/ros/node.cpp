@@ -25,6 +25,7 @@ constexpr int kTfQueue = 100;
 constexpr int kControlQueue = 100;
 const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kPatienceForClock(3);
+const ros::WallDuration kNextIsFar(0.1);  // the next tick, so that a new viewer is given the last one
 const ros::WallDuration kStatusPause(0.1);
 constexpr double kBackgroundSeekSteps = 2e4;  // about 2 ms: more is not done between two ticks
 constexpr double kAstray = 0.1;               // rad from the truth: /diagnostics warns
@@ -59,12 +60,12 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     clock_publisher_ = handle_.advertise<rosgraph_msgs::Clock>(names::kClock, 10);
   }
   // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
-  tf_publisher_ = handle_.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue,
-                                                         [this](const ros::SingleSubscriberPublisher& viewer) {
-                                                           const std::lock_guard<FairMutex> lock(mutex_);
-                                                           if (!transforms_.transforms.empty())
-                                                             viewer.publish(transforms_);
-                                                         });
+  tf_publisher_ = handle_.advertise<tf2_msgs::TFMessage>(
+      names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
+        const std::lock_guard<FairMutex> lock(mutex_);
+        const bool next_is_far = ros::SteadyTime::now() - transforms_sent_ > kNextIsFar;
+        if (next_is_far && !transforms_.transforms.empty()) viewer.publish(transforms_);
+      });
   markers_publisher_ =
       handle_.advertise<MarkerArray>(names::kMarkers, kMarkerQueue, [this](const ros::SingleSubscriberPublisher&) {
         const std::lock_guard<FairMutex> lock(mutex_);
@@ -146,11 +147,11 @@ void Node::run() {
   for (Pacer::Wake wake; (wake = pacer_.wait(interrupted_)) != Pacer::Wake::ended;) {
     const std::lock_guard<FairMutex> lock(mutex_);
     const ros::Time now = pacer_.stamp();
-    if (now.isZero() && !warned && ros::SteadyTime::now() - began > kPatienceForClock) {
+    if (now.isZero() && !last_tick_ && !warned && ros::SteadyTime::now() - began > kPatienceForClock) {
       ROS_WARN("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
       warned = true;
     }
-    if (wake == Pacer::Wake::due) {
+    if (wake == Pacer::Wake::due && !now.isZero()) {
       tick(now);
     } else {
       idle();
@@ -196,6 +197,7 @@ void Node::tick(const ros::Time& now) {
     body->appendTransforms(tick->stamp, transforms_.transforms);
   }
   tf_publisher_.publish(transforms_);
+  transforms_sent_ = ros::SteadyTime::now();
   for (const auto& body : bodies_) body->publish(*tick);
   publishPreview();
   publishMarkers(*tick);
@@ -204,8 +206,11 @@ void Node::tick(const ros::Time& now) {
 
 void Node::idle() {
   serve();
-  publishPreview();
-  if (markers_have_new_viewer_ && last_tick_) publishMarkers(*last_tick_);
+  const bool preview_is_new = publishPreview();
+  if (last_tick_ && (preview_is_new || markers_have_new_viewer_)) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) drawn(i).picture().sendAllNext();
+    publishMarkers(*last_tick_);
+  }
   placeGrips();
 }
 

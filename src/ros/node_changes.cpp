@@ -177,10 +177,17 @@ void Node::exchange(Rebuild::Result&& made) {
     for (const auto& body : bodies_) diagnoseBody(body->name());
     resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;  // its frames are new to everybody
   } else {
-    for (std::size_t k = 0; k < made.indices.size(); ++k) bodies_[made.indices[k]] = std::move(made.bodies[k]);
+    for (std::size_t k = 0; k < made.indices.size(); ++k) {
+      made.bodies[k]->stand(comingTime());
+      bodies_[made.indices[k]] = std::move(made.bodies[k]);
+    }
   }
-  if (change_->all) transforms_.transforms.clear();
-  last_tick_.reset();
+  if (change_->all) {
+    // What the old scene had sent is not for who comes now, and who is there is to see no more of it.
+    transforms_.transforms.clear();
+    last_tick_.reset();
+    markers_publisher_.publish(clearedMarkers());
+  }
   scene_ = std::move(made.scene);
   start_scene_ = std::move(change_->start_scene);
   scene_name_ = change_->name;
@@ -474,11 +481,12 @@ void Node::choose(const Touch& touch) {
   askForSpin(i, inertia.toBody(chosen));
 }
 
-void Node::publishPreview() {
-  if (!hold_ || !hold_->preview_is_new || ros::SteadyTime::now() - hold_->preview_sent < kPreviewPause) return;
+bool Node::publishPreview() {
+  if (!hold_ || !hold_->preview_is_new || ros::SteadyTime::now() - hold_->preview_sent < kPreviewPause) return false;
   hold_->preview_is_new = false;
   hold_->preview_sent = ros::SteadyTime::now();
   markers_static_publisher_.publish(staticMarkers());
+  return true;
 }
 
 void Node::placeGrips() {

@@ -1,5 +1,7 @@
 #include "poinsot/ros/rebuild.h"
 
+#include <ros/init.h>
+
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +14,7 @@ namespace poinsot::node {
 namespace {
 
 // A picture whose longest semi-axis is drawn within these lengths stays as it is; beyond, it is scaled anew [m].
+constexpr std::chrono::seconds kPatience{1};  // with a job that was told to end
 constexpr double kSmallestKept = 0.55, kLargestKept = 1.35;
 
 std::optional<PictureFrame> ifItFits(const std::optional<PictureFrame>& keep, const scene::Body& body) {
@@ -60,7 +63,9 @@ std::string tooManySteps(const std::string& body, double time, double steps, dou
 
 Rebuild::~Rebuild() {
   cancel();
-  if (work_.valid()) work_.wait();
+  if (!work_.valid()) return;
+  // Where the master is gone, roscpp tries to advertise a new body's topics until ROS shuts down.
+  while (work_.wait_for(kPatience) != std::future_status::ready) ros::requestShutdown();
 }
 
 void Rebuild::start(Order order, const ros::NodeHandle& handle) {

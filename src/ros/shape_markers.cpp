@@ -1,5 +1,7 @@
 #include "poinsot/ros/shape_markers.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/palette.h"
@@ -48,8 +50,7 @@ std::vector<Solid> toldApart(const Solid& solid) {
 }
 
 bool bringsColours(const std::string& mesh) {
-  const std::string tail = ".dae";
-  return mesh.size() > tail.size() && mesh.compare(mesh.size() - tail.size(), tail.size(), tail) == 0;
+  return boost::algorithm::iends_with(mesh, ".dae");
 }
 
 visualization_msgs::Marker markerOf(const scene::Appearance& appearance) {

@@ -283,7 +283,7 @@ void Panel::showNotice() {
     text = refused_;
     trouble = true;
   } else if (link_->alive() && stamps_.standsStill()) {
-    text = "ROS time stands still: nothing moves before /clock goes on.";
+    text = "No new tick: ROS time stands still, or hardly moves.";
     trouble = true;
   } else {
     text = link_->alive() ? "Ready." : "Looking for the node …";

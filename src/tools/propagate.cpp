@@ -146,7 +146,9 @@ std::string warning(const Task& task, const Way& way) {
   return "propagate: line " + std::to_string(task.line) + ": do not trust this row: " + judgement.reason + "\n";
 }
 
-/** Compares what a stepper made of a start with the closed form, where that has a state, and with the start's energy.
+/**
+ * Adds the errors of a stepper's row: of the attitude against the closed form, unless that has no state there, and of
+ * the energy against that at the start.
  */
 void judge(const Task& start, const Task& end, poinsot::tools::WorstErrors& worst) {
   Task truth = start;

@@ -36,6 +36,7 @@ constexpr double kMostSteps = 1e12;  // of one body: hours
 constexpr double kFastestBag = 1e6;  // Hz: stamps are whole nanoseconds
 constexpr std::size_t kMostSaid = 20;
 const char* const kStandardOutput = "-";
+const char* const kPlainColumns = "states";
 
 const char* const kAbout =
     "Simulates a scene, faster than real time and without a ROS master, into CSV, a bag, or both.\n\n"
@@ -50,7 +51,7 @@ const char* const kAbout =
     "Exit status: 0; 1 when a state cannot be computed or a file not be written; 2 for bad use or a bad scene.";
 
 struct Options {
-  std::string scene, csv, bag, duration, rate, columns = "states";
+  std::string scene, csv, bag, duration, rate, columns = kPlainColumns;
   bool no_markers = false;
 };
 
@@ -126,8 +127,11 @@ void checkSize(const Options& options, const scene::Scene& scene, double duratio
   }
 }
 
-void writeBag(const OutputFile& file, const scene::Scene& scene, const tools::SampleTimes& times, bool markers,
-              tools::Progress& progress) {
+/** @return a sentence on the worst errors of each free body that a stepper moves. */
+std::vector<std::string> writeBag(const OutputFile& file, const scene::Scene& scene, const tools::SampleTimes& times,
+                                  bool markers, tools::Progress& progress) {
+  std::vector<tools::WorstErrors> worst(scene.bodies.size());
+  std::vector<std::string> out;
   errno = 0;
   try {
     node::SceneBag bag(file.writePath(), scene, {markers});
@@ -135,13 +139,22 @@ void writeBag(const OutputFile& file, const scene::Scene& scene, const tools::Sa
                bodies = static_cast<std::int64_t>(scene.bodies.size());
     for (std::int64_t k = 0; k < count; ++k) {
       bag.write(times.at(k));
+      for (std::size_t i = 0; i < bag.bodyCount(); ++i) {
+        const node::MovingBody& body = bag.body(i);
+        if (tools::isJudged(body.motion())) worst[i].add(times.at(k), body.attitudeError(), body.energyDrift());
+      }
       progress.add(bodies);
     }
     bag.close();
+    for (std::size_t i = 0; i < bag.bodyCount(); ++i) {
+      const node::MovingBody& body = bag.body(i);
+      if (tools::isJudged(body.motion())) out.push_back(tools::worstErrorsText(body.name(), body.motion(), worst[i]));
+    }
   } catch (const rosbag::BagException& error) {
     throw OutputError(file.path(),
                       errno ? std::string(std::strerror(errno)) + " (" + error.what() + ")" : error.what());
   }
+  return out;
 }
 
 /** On stderr; of a scene of thousands not everything. */
@@ -158,6 +171,8 @@ void run(const Options& options) {
   if (!options.rate.empty()) given_rate = readPositive("--rate", options.rate, "Hz");
 
   const tools::MoreColumns columns = readColumns(options);
+  if (options.csv.empty() && options.columns != kPlainColumns)
+    throw BadUse("--columns goes with --csv, which is not given");
 
   scene::Scene scene = scene::readFile(options.scene, {duration});
   say(scene.warnings);
@@ -178,10 +193,11 @@ void run(const Options& options) {
   if (!options.csv.empty()) {
     tools::TextSink out(to_stdout ? STDOUT_FILENO : csv->descriptor(), to_stdout ? "standard output" : options.csv);
     say(tools::writeStateTable(scene, times, columns, out, [&](std::int64_t rows) { progress.add(rows); }));
-  } else {
-    say(tools::worstErrorsOf(scene, times));
   }
-  if (bag) writeBag(*bag, scene, times, !options.no_markers, progress);
+  if (bag) {
+    const std::vector<std::string> worst = writeBag(*bag, scene, times, !options.no_markers, progress);
+    if (options.csv.empty()) say(worst);
+  }
   OutputFile::commit(files);
 }
 

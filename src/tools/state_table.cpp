@@ -7,9 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "poinsot/core/motion.h"
 #include "poinsot/scene/motion_setup.h"
-#include "worst_errors.h"
 
 namespace poinsot::tools {
 namespace {
@@ -49,7 +47,7 @@ class Run {
       : body_(body),
         motion_(scene::motionSetup(body)),
         start_(motion_.at(0).invariants()),
-        judged_(!motion_.inClosedForm() && motion_.closedForm()) {}
+        judged_(isJudged(motion_)) {}
 
   /** Throws std::runtime_error where the body has no state. */
   MotionState at(double t) {
@@ -77,10 +75,7 @@ class Run {
   }
 
   void appendWorst(std::vector<std::string>& out) const {
-    if (!judged_) return;
-    char step[32];
-    std::snprintf(step, sizeof step, "%.9g", *motion_.setup().step);
-    out.push_back("body " + body_.name + ": " + body_.method + " with a step of " + step + " s: " + worst_.text());
+    if (judged_) out.push_back(worstErrorsText(body_.name, motion_, worst_));
   }
 
  private:
@@ -92,6 +87,16 @@ class Run {
 };
 
 }  // namespace
+
+bool isJudged(const Motion& motion) {
+  return !motion.inClosedForm() && motion.closedForm();
+}
+
+std::string worstErrorsText(const std::string& body, const Motion& motion, const WorstErrors& worst) {
+  char step[32];
+  std::snprintf(step, sizeof step, "%.9g", *motion.setup().step);
+  return "body " + body + ": " + motion.setup().method + " with a step of " + step + " s: " + worst.text();
+}
 
 MoreColumns readColumns(const std::string& text) {
   MoreColumns out;
@@ -128,18 +133,6 @@ std::vector<std::string> writeStateTable(const scene::Scene& scene, const Sample
     run.appendWorst(worst);
   }
   out.flush();
-  return worst;
-}
-
-std::vector<std::string> worstErrorsOf(const scene::Scene& scene, const SampleTimes& times) {
-  const auto count = static_cast<std::int64_t>(times.count());
-  std::vector<std::string> worst;
-  for (const scene::Body& body : scene.bodies) {
-    if (!body.effects.empty() || !body.step) continue;
-    Run run(body);
-    for (std::int64_t k = 0; k < count; ++k) run.at(times.at(k));
-    run.appendWorst(worst);
-  }
   return worst;
 }
 

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "output_file.h"
+#include "poinsot/core/motion.h"
 #include "poinsot/scene/scene.h"
 #include "sample_times.h"
+#include "worst_errors.h"
 
 namespace poinsot::tools {
 
@@ -35,7 +37,10 @@ std::vector<std::string> writeStateTable(const scene::Scene& scene, const Sample
                                          const MoreColumns& columns, TextSink& out,
                                          const std::function<void(std::int64_t)>& done);
 
-/** The same sentences, without a table. */
-std::vector<std::string> worstErrorsOf(const scene::Scene& scene, const SampleTimes& times);
+/** Whether a run is judged: a free body's, by a stepper. */
+bool isJudged(const Motion& motion);
+
+/** The sentence on a run. */
+std::string worstErrorsText(const std::string& body, const Motion& motion, const WorstErrors& worst);
 
 }  // namespace poinsot::tools

@@ -84,6 +84,32 @@ TEST(Rooms, costIncludesNoRos) {
   expectPure("cost", isRos);
 }
 
+// Include paths do not hold a path that leads out of the room.
+TEST(Rooms, noIncludeLeadsOutOfItsRoom) {
+  int relative = 0;
+  for (const auto& room : fs::directory_iterator(fs::path(SOURCE_DIR) / "src")) {
+    const std::string inside = room.path().string() + "/";
+    for (const auto& entry : fs::recursive_directory_iterator(room.path())) {
+      std::ifstream in(entry.path());
+      for (std::string line; entry.is_regular_file() && std::getline(in, line);) {
+        const std::string include = includeOf(line);
+        if (include.rfind("../", 0) != 0) continue;
+        ++relative;
+        const std::string leads_to = (entry.path().parent_path() / include).lexically_normal().string();
+        EXPECT_EQ(leads_to.compare(0, inside.size(), inside), 0) << entry.path() << " includes " << include;
+      }
+    }
+  }
+  EXPECT_GT(relative, 0) << "nothing was looked at";
+}
+
+// Another installed copy of the package would be on its include path.
+TEST(Rooms, auditIncludesNoOtherRoom) {
+  expectPure("audit", [](const std::string& include) {
+    return matches(include, "^poinsot/[a-z_]+/") && !matches(include, "^poinsot/audit/");
+  });
+}
+
 TEST(Rooms, includesAreRecognised) {
   EXPECT_EQ(includeOf("#include <ros/ros.h>"), "ros/ros.h");
   EXPECT_EQ(includeOf("  #  include \"poinsot/view/curve.h\"  // why"), "poinsot/view/curve.h");

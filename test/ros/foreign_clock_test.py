@@ -12,6 +12,7 @@ import rospy  # noqa: E402
 import rostest  # noqa: E402
 import yaml  # noqa: E402
 from diagnostic_msgs.msg import DiagnosticArray  # noqa: E402
+from geometry_msgs.msg import Vector3  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
@@ -20,7 +21,7 @@ from visualization_msgs.msg import MarkerArray  # noqa: E402
 import graph  # noqa: E402
 import processes  # noqa: E402
 from poinsot.msg import BodyDescription, BodyState, NodeStatus  # noqa: E402
-from poinsot.srv import LoadScene  # noqa: E402
+from poinsot.srv import LoadScene, SetMethod, SetSpin  # noqa: E402
 
 NODE = "/poinsot"
 START = 1000.0  # s
@@ -181,6 +182,26 @@ class ForeignClockTest(unittest.TestCase):
             self.assertEqual(it["header"]["stamp"], stamps)
         for repeated in (self.states, self.tf):
             self.assertEqual(repeated.count(), self.counts[repeated], "who was there is not sent it again")
+
+    def test_3_bb_changes_under_a_frozen_clock_begin_where_the_body_is(self):
+        status = graph.Listener(NODE + "/status", NodeStatus)
+
+        def call(service, kind, *arguments):
+            rospy.wait_for_service(NODE + "/" + service, graph.PATIENCE)
+            answer = rospy.ServiceProxy(NODE + "/" + service, kind)(*arguments)
+            self.assertTrue(answer.success, answer.message)
+            status.next_where(lambda s: not s.busy)
+        before = self.states.last()
+        self.assertGreater(before.time, 1)
+        call("set_method", SetMethod, "wingnut", "buss2", 0.001)
+        self.assertEqual(status.next().bodies[0].method, "buss2")
+        call("set_spin", SetSpin, "wingnut", Vector3(0.1, 2.0, 0.1))
+        self.time.set(self.time.now() + 0.25)
+        after = self.states.next_where(lambda s: s.segment > before.segment, since=0)
+        self.assertEqual(after.time, 0)
+        self.assertLess(graph.quaternion_distance(after.attitude, before.attitude), 1e-3, "it goes on from where it was")
+        status.close()
+        self.quiet()
 
     def test_3_c_a_scene_is_loaded_while_the_clock_is_frozen(self):
         status = graph.Listener(NODE + "/status", NodeStatus)

@@ -4,8 +4,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/common.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+work=$(mktemp -d) || exit 1
+trap '[ "$failed" -gt 0 ] || rm -rf "$work"' EXIT  # logs are there to be looked at
 logs=$work/logs
 mkdir "$logs"
 
@@ -13,7 +13,12 @@ demo=$root/scripts/demo.sh
 expect "demo.sh --help" 0 'Usage: scripts/demo.sh' "$demo" --help
 expect "test.sh --help" 0 'Usage: scripts/test.sh' "$root/scripts/test.sh" --help
 expect "setup.sh --help" 0 'Usage: scripts/setup.sh' "$root/scripts/setup.sh" --help
-says_nothing() { [ -z "$("$@" 2>&1)" ]; }
+says_nothing() {
+  local said
+  said=$("$@" 2>&1)
+  printf '%s\n' "$said"
+  [ -z "$said" ]
+}
 check "setup.sh finds nothing missing" says_nothing "$root/scripts/setup.sh"
 expect "demo.sh: unknown option" 2 "unknown option '--headles'" "$demo" --headles
 expect "demo.sh: option without its value" 2 '--duration needs a value' "$demo" --duration

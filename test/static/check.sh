@@ -4,8 +4,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+work=$(mktemp -d) || exit 1
+trap '[ "$failed" -gt 0 ] || rm -rf "$work"' EXIT  # logs are there to be looked at
 logs=$work
 
 # Each check takes names of files relative to the present directory, and says nothing where all is well.

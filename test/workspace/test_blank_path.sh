@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../package_copy.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/../checks.sh"
 
-place=$(mktemp -d --suffix=" blank" "${TMPDIR:-/tmp}/poinsot.XXXXXX")
+place=$(mktemp -d --suffix=" blank" "${TMPDIR:-/tmp}/poinsot.XXXXXX") || exit 1
 leave_user_behind "$place"
 cd "$place" || exit 1
 logs=$place/logs

@@ -19,7 +19,7 @@ compilers=(g++ clang++)
 # The last: Eigen's functions as symbols of the program, which the library must not take for its own.
 flags=('-O0' '-O2' '-O2 -mavx2' '-O2 -mavx512f -mfma' '-O2 -march=native' '-O1 -fno-inline -mavx2 -mfma')
 
-work=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_flags.XXXXXX")
+work=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_flags.XXXXXX") || exit 1
 first=
 trap 'rm -rf "$work"; exit 130' INT TERM
 # shellcheck disable=SC1090

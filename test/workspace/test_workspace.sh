@@ -14,7 +14,7 @@ case "${1:-}" in
   *) bad_use "test_workspace.sh: unknown option '$1'" ;;
 esac
 
-workspace=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_workspace.XXXXXX")
+workspace=$(mktemp -d "${TMPDIR:-/tmp}/poinsot_workspace.XXXXXX") || exit 1
 launch_pid=''
 devel=$workspace/devel/setup.bash install=$workspace/install/setup.bash
 mkdir "$workspace/src"

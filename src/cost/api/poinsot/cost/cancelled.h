@@ -5,14 +5,16 @@
 
 namespace poinsot::cost {
 
-/** Thrown by a search that gives up because its `cancel` has become true. No std::runtime_error: no failure of the
- * search. */
+/**
+ * Thrown by a search that gives up because its `cancel` has become true. Not a std::runtime_error, so that handlers of
+ * failed searches do not catch it.
+ */
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "given up"; }
 };
 
-/** For whoever waits for the end. */
+/** The default: the search is not cancelled. */
 inline const std::atomic<bool> kNeverCancelled{false};
 
 inline void throwIf(const std::atomic<bool>& cancel) {

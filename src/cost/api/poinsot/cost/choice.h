@@ -25,7 +25,7 @@ struct Choice {
   std::optional<double> step;  ///< [s]; none for the closed form
   double estimated_error = 0;  ///< at the ends of steps, while the step was looked for [rad]
   double verified_error = 0;   ///< the greatest at the ticks, up to a million of them, and at the horizon [rad]
-  double cost = 0;             ///< CPU seconds per simulated second, by the measured costs
+  double cost = 0;             ///< CPU seconds per simulated second, by the costs given
 };
 
 /** No candidate reaches the accuracy: what() says which came nearest and how near, and what is allowed instead. */

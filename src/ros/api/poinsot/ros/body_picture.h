@@ -79,6 +79,13 @@ class BodyPicture {
   /** Forgets the trail: nobody looked, or the motion jumped. */
   void clearTrail();
 
+  /** The next markers hold also what is sent only now and then. */
+  void sendAllNext() {
+    for (auto* shown : {&figures_shown_, &flips_told_, &curves_shown_, &path_shown_}) {
+      if (*shown) *shown = ros::Time();
+    }
+  }
+
  private:
   visualization_msgs::MarkerArray makeStatic() const;
 

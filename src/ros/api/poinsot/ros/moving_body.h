@@ -46,6 +46,10 @@ class MovingBody {
    */
   bool move(const Tick& tick);
 
+  /** Is at t [s] without a tick, as what takes another body's place between two ticks. Throws what Motion::at throws.
+   */
+  void stand(double t) { state_ = motion_.at(t); }
+
   /** Of the last move. */
   const MotionState& state() const { return state_; }
   double energyDrift() const { return energy_drift_; }

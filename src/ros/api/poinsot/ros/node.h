@@ -122,7 +122,8 @@ class Node {
   void choose(const Touch& touch);
   Eigen::Vector3d omegaPoint(const MovingBody& body) const;
   void placeGrips();
-  void publishPreview();
+  /** @return whether there was something new to show. */
+  bool publishPreview();
   /** What is drawn of a body: what it would be, while somebody holds it. */
   MovingBody& drawn(std::size_t body) const;
 
@@ -154,9 +155,10 @@ class Node {
 
   ros::NodeHandle handle_, private_handle_;
   tf2_msgs::TFMessage transforms_;  ///< of the last tick
+  ros::SteadyTime transforms_sent_;
   std::optional<Tick> last_tick_;
   bool markers_have_new_viewer_ = false;  ///< since the last tick
-  ros::Publisher tf_publisher_;           ///< no broadcaster, which would not tell who is new
+  ros::Publisher tf_publisher_;           ///< not a broadcaster: that has no callback for new subscribers
   ros::Publisher clock_publisher_, markers_publisher_, markers_static_publisher_, status_publisher_;
   ros::Publisher static_tf_publisher_;  ///< not a broadcaster, which would never forget the frames of another scene
   std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last

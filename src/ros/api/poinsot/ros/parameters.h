@@ -30,7 +30,7 @@ class ParameterError : public std::runtime_error {
 /**
  * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~publish_clock` and `~frame_prefix`.
  * @param cancel makes it give up looking for methods that meet an accuracy.
- * Throws ParameterError, scene::Error for a bad scene, or cost::Cancelled.
+ * Throws ParameterError, scene::Error for a bad scene or rate, or cost::Cancelled.
  */
 Parameters readParameters(const ros::NodeHandle& private_handle, const std::atomic<bool>& cancel);
 

@@ -43,6 +43,10 @@ class SceneBag {
    */
   void write(double t);
 
+  /** The bodies at the last time that was written. */
+  std::size_t bodyCount() const { return entries_.size(); }
+  const MovingBody& body(std::size_t i) const { return *entries_[i].body; }
+
   /** Ends the file. One that was not closed is no bag. */
   void close();
 
