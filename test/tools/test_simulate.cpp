@@ -231,7 +231,7 @@ TEST_F(Simulate, moreColumns) {
   }
   EXPECT_GT(worst, 1e-4);
   // stderr says the worst of the body that is stepped, and of no other.
-  char said[64];
+  char said[96];
   std::snprintf(said, sizeof said, "body stepped: lie_euler with a step of 0.01 s: at most %.3g rad", worst);
   EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("body exact"), std::string::npos);
