@@ -37,8 +37,10 @@ class PrincipalInertia {
   /** Principal axes → body axes, unit: v_body = axes() * v_principal. */
   const Quaternion& axes() const { return axes_; }
 
-  /** The same vector in the other axes. */
+  /** A vector in principal axes that is given in body axes; the unit stays. */
   Eigen::Vector3d toPrincipal(const Eigen::Vector3d& in_body) const;
+
+  /** A vector in body axes that is given in principal axes; the unit stays. */
   Eigen::Vector3d toBody(const Eigen::Vector3d& in_principal) const;
 
   /** M in body axes [kg·m²]. */
