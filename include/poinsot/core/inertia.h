@@ -37,10 +37,10 @@ class PrincipalInertia {
   /** Principal axes → body axes, unit: v_body = axes() * v_principal. */
   const Quaternion& axes() const { return axes_; }
 
-  /** A vector in principal axes that is given in body axes; the unit stays. */
+  /** The components in principal axes of a vector that is given in body axes; of any unit. */
   Eigen::Vector3d toPrincipal(const Eigen::Vector3d& in_body) const;
 
-  /** A vector in body axes that is given in principal axes; the unit stays. */
+  /** The components in body axes of a vector that is given in principal axes; of any unit. */
   Eigen::Vector3d toBody(const Eigen::Vector3d& in_principal) const;
 
   /** M in body axes [kg·m²]. */
