@@ -187,13 +187,12 @@ class Search {
     const double ticks = std::floor(wish_.horizon * wish_.rate), stride = std::max(1.0, ticks / kMostTicks);
     double worst = 0;
     const auto look = [&](double t) {
-      if (!motion.prepare(t, cancel_)) throw Cancelled();
+      prepare(motion, t, cancel_);
       const double error = motion.attitudeError(motion.at(t));
       worst = error <= worst ? worst : error;  // also where it is undefined
       return worst <= wish_.accuracy;
     };
     for (double k = 1; k <= ticks; k += stride) {
-      throwIf(cancel_);
       if (!look(std::floor(k) / wish_.rate)) return worst;
     }
     look(wish_.horizon);

@@ -94,7 +94,7 @@ class Search {
     Motion motion(setup);
     try {
       for (const double t : times_) {
-        if (cancel_ || !motion.prepare(t, cancel_)) throw Cancelled();
+        prepare(motion, t, cancel_);
         const MotionState state = motion.at(t);
         out.push_back({state.attitude, state.omega_body});
       }

@@ -32,7 +32,7 @@ void moveAhead(Body& body, double time, const std::atomic<bool>& cancelled) {
   if (!(steps <= kMostSteps)) {
     throw std::runtime_error(tooManySteps(body.name(), time, steps, *motion.setup().step));
   }
-  if (cancelled || !motion.prepare(time, cancelled)) throw cost::Cancelled();
+  cost::prepare(motion, time, cancelled);
   motion.at(time);  // throws where there is nothing to publish
 }
 

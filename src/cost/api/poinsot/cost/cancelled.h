@@ -3,6 +3,8 @@
 #include <atomic>
 #include <exception>
 
+#include "poinsot/core/motion.h"
+
 namespace poinsot::cost {
 
 /**
@@ -19,6 +21,11 @@ inline const std::atomic<bool> kNeverCancelled{false};
 
 inline void throwIf(const std::atomic<bool>& cancel) {
   if (cancel) throw Cancelled();
+}
+
+/** Does the stepping that motion.at(t) needs, or throws Cancelled. */
+inline void prepare(Motion& motion, double t, const std::atomic<bool>& cancel) {
+  if (cancel || !motion.prepare(t, cancel)) throw Cancelled();
 }
 
 }  // namespace poinsot::cost
