@@ -145,7 +145,11 @@ TEST(AuditLive, Stream) {
 
   const std::string expected = parameters.param("expect_failure", std::string());
   if (expected.empty()) {
-    EXPECT_TRUE(report.passed());
+    std::string failed;
+    for (const auto& check : report.failures()) {
+      failed += "\n" + check.body + ": " + check.name + ": " + check.detail;
+    }
+    EXPECT_TRUE(report.passed()) << failed;
     return;
   }
   bool found = false;
