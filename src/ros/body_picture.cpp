@@ -21,6 +21,9 @@
 namespace poinsot::node {
 namespace {
 
+using session::kSecond;
+using session::Nanoseconds;
+using session::Tick;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
@@ -36,8 +39,8 @@ constexpr double kTurnDepth = 0.38;  // of Montgomery's angle below the title
 constexpr double kFlipsHeight = 0.17;
 constexpr double kFlipsDepth = 0.3;  // below the title
 constexpr float kSphereOverlay = 0.05f;
-const ros::Duration kFlipsPause(0.1);
-const ros::Duration kFiguresPause(0.25);  // a label that changed with every tick could not be read
+constexpr Nanoseconds kFlipsPause = kSecond / 10;
+constexpr Nanoseconds kFiguresPause = kSecond / 4;  // a label that changed with every tick could not be read
 constexpr double kPointerLength = 0.4;    // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
@@ -58,10 +61,10 @@ constexpr std::size_t kPiecePoints = 256;  // 16384 together
 constexpr std::size_t kPathPiecesAtOnce = 16;
 constexpr double kPathTolerance = 0.002;  // m
 constexpr double kPathSpacing = 0.2;      // m, at most
-const ros::Duration kPathPause(0.25);
+constexpr Nanoseconds kPathPause = kSecond / 4;
 constexpr int kPolhodePoints = 64;        // the middle of a chord of a circle of 1 m is 1 mm inside it
 constexpr int kSeparatrixPoints = 48;     // 2 mm
-const ros::Duration kCurvesPause(0.25);   // a curve that changes is sent that often at least,
+constexpr Nanoseconds kCurvesPause = kSecond / 4;  // a curve that changes is sent that often at least,
 constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
 constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
 constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
@@ -190,7 +193,7 @@ Eigen::Vector3d shapePositionOf(const scene::Body& body) {
 }
 
 /** Whether `pause` has gone by; stamps may begin anew. */
-bool due(const std::optional<ros::Time>& last, const ros::Time& now, const ros::Duration& pause) {
+bool due(const std::optional<Nanoseconds>& last, Nanoseconds now, Nanoseconds pause) {
   return !last || now < *last || now >= *last + pause;
 }
 
@@ -212,7 +215,7 @@ MarkerArray clearedMarkers() {
 }
 
 BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
-                         const std::optional<PictureFrame>& keep)
+                         const std::optional<view::PictureFrame>& keep)
     : brush_(body.name, frames),
       name_(body.name),
       start_(Motion(motion).at(0)),
@@ -227,38 +230,35 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
       momentum_is_constant_(motion.conservesMomentum()),
       omega_principal_(inertia_.toPrincipal(start_.omega_body)),
       polhode_(view::polhode(inertia_.moments(), omega_principal_, kPolhodePoints)),
-      scale_(view::pictureScale(inertia_.moments(), omega_principal_)),
-      trail_(trailOf(motion, polhode_, scale_.metres_per_radian_per_second)),
+      frame_{{}, view::pictureScale(inertia_.moments(), omega_principal_), {}, 0},
+      trail_(trailOf(motion, polhode_, frame_.scale.metres_per_radian_per_second)),
       path_(kPathPieces, kPiecePoints, kPathTolerance, kPathSpacing) {
   const double radius = shape_position_.norm() + shape_.boundingRadius();
   if (keep) {
-    reach_ = keep->reach;
-    scale_ = keep->scale;
+    frame_ = *keep;
   } else if (torqued_ && detail == Detail::pictures) {
-    reach_ = view::reachOf(motion);
-    scale_ = view::pictureScale(reach_.semi_axis, reach_.momentum);
+    frame_.reach = view::reachOf(motion);
+    frame_.scale = view::pictureScale(frame_.reach.semi_axis, frame_.reach.momentum);
   }
   const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
   path_rides_ = std::all_of(body.effects.begin(), body.effects.end(), is_inside);
-  layout_ = keep ? keep->layout
-                 : view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
-                                  omega_principal_, inertia_.toPrincipal(reach_.omega_later));
+  if (!keep) {
+    frame_.layout =
+        view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_, omega_principal_,
+                       inertia_.toPrincipal(frame_.reach.omega_later));
+    frame_.title_depth = titleDepth(radius);
+  }
   if (torqued_) {
     effects_.emplace(
         brush_, motion,
-        EffectMarkers::Sizes{shape_.boundingRadius(), radius, reach_.torque, scale_.metres_per_angular_momentum});
+        EffectMarkers::Sizes{shape_.boundingRadius(), radius, frame_.reach.torque, frame_.scale.metres_per_angular_momentum});
   }
-  title_depth_ = keep ? keep->title_depth : titleDepth(radius);
 }
 
 double BodyPicture::titleDepth(double body_radius) const {
   return std::max(
       {kTitleDepth, body_radius + 0.3, effects_ ? std::min(effects_->depth(), kDeepestTitle) : 0,
-       beadSymbolDepth(layout_.model_orientation * inertia_.axes(), scale_.metres_per_radian_per_second, polhode_)});
-}
-
-const char* BodyPicture::regime() const {
-  return view::textOf(polhode_, inertia_.moments());
+       beadSymbolDepth(frame_.layout.model_orientation * inertia_.axes(), frame_.scale.metres_per_radian_per_second, polhode_)});
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
@@ -283,10 +283,10 @@ MarkerArray BodyPicture::makeStatic() const {
     appendEllipsoids(picture, start_.kinetic_energy, start_.momentum_world.squaredNorm(), out);
     appendCurves(picture, polhode_, separatrix, out);
   }
-  const double metres = scale_.metres_per_radian_per_second;
+  const double metres = frame_.scale.metres_per_radian_per_second;
   appendFamily(brush_, inertia_, omega_principal_, metres, out);
   // Below the picture in body axes, where the polhode is: below the other one the next body's L may stand.
-  appendRolling(brush_, *closed_form_, metres, belowTitle(layout_.model_centre, kTurnDepth), out);
+  appendRolling(brush_, *closed_form_, metres, belowTitle(frame_.layout.model_centre, kTurnDepth), out);
   appendCones(brush_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
@@ -296,7 +296,7 @@ MarkerArray BodyPicture::makeStatic() const {
 
 void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy, double momentum_squared,
                                    MarkerArray& out) const {
-  const double metres = scale_.metres_per_radian_per_second;
+  const double metres = frame_.scale.metres_per_radian_per_second;
   const auto add = [&](const char* what, const Eigen::Vector3d& semi_axes, const std_msgs::ColorRGBA& colour) {
     Marker m = brush_.marker(brush_.ns(picture.name, what), 0, Marker::SPHERE, picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
@@ -314,7 +314,7 @@ void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy
 
 void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polhode,
                                const std::vector<view::Curve>& separatrix, MarkerArray& out) const {
-  const double metres = scale_.metres_per_radian_per_second;
+  const double metres = frame_.scale.metres_per_radian_per_second;
   const auto add = [&](const char* what, int id, const view::Curve& curve, double lift, double width,
                        const std_msgs::ColorRGBA& colour) {
     const bool is_point = curve.points.size() == 1;  // RViz draws no line through a single point
@@ -339,21 +339,21 @@ void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polh
 }
 
 Eigen::Vector3d BodyPicture::belowTitle(const Eigen::Vector3d& centre, double depth) const {
-  return centre + Eigen::Vector3d(depth, 0, -title_depth_ - 0.75 * depth);
+  return centre + Eigen::Vector3d(depth, 0, -frame_.title_depth - 0.75 * depth);
 }
 
 void BodyPicture::appendTitles(MarkerArray& out) const {
-  const Eigen::Vector3d down(0, 0, -title_depth_);
+  const Eigen::Vector3d down(0, 0, -frame_.title_depth);
   out.markers.push_back(brush_.text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
   if (atRest()) return;
   out.markers.push_back(brush_.text(kSpaceTitle, brush_.frames().space, down, "in world axes", kTitleHeight));
   out.markers.push_back(
-      brush_.text(kModelTitle, names::kWorld, layout_.model_centre + down, "in body axes", kTitleHeight));
+      brush_.text(kModelTitle, names::kWorld, frame_.layout.model_centre + down, "in body axes", kTitleHeight));
 }
 
 std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                    const Eigen::Vector3d& torque_world) const {
-  const Eigen::Vector3d tip = scale_.metres_per_angular_momentum * momentum_world;
+  const Eigen::Vector3d tip = frame_.scale.metres_per_angular_momentum * momentum_world;
   Marker l = brush_.arrow(brush_.ns(names::kSpace, names::kAngularMomentum), 0, brush_.frames().space,
                           Eigen::Vector3d::Zero(), tip);
   // Beyond the tip; where the torque's arrow begins there, on its other side.
@@ -382,7 +382,7 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   const auto lines = 1 + std::count(words.begin(), words.end(), '\n');
   const double depth = kFiguresDepth + kFiguresDepthALine * static_cast<double>(lines);  // of its middle
   Marker label = brush_.text(kFigures, names::kWorld, belowTitle(start_.position, depth), words, kFiguresHeight);
-  label.header.stamp = tick.stamp;
+  label.header.stamp = toTime(tick.stamp);
   out.markers.push_back(label);
 }
 
@@ -398,12 +398,16 @@ void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, double tim
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {
+  if (segment_ != tick.segment) {
+    segment_ = tick.segment;
+    clearTrail();
+  }
   if (atRest()) return;
   const std::size_t first = out.markers.size();
   if (!torqued_) {
     appendFlips(tick, motion, state.time, out);
     appendOmega(state, out);
-    appendTrail(kTrailLift * scale_.metres_per_radian_per_second * state.omega_body, out);
+    appendTrail(kTrailLift * frame_.scale.metres_per_radian_per_second * state.omega_body, out);
     if (!momentum_is_constant_) {
       for (const Marker& m : momentumMarkers(state.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
     }
@@ -412,12 +416,12 @@ void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const Mot
     appendMovingConstruction(tick, state, torque_world, out);
     effects_->appendMoving(state, torque_world, stage_, out);
   }
-  for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = tick.stamp;
+  for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = toTime(tick.stamp);
 }
 
 void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& state,
                                            const Eigen::Vector3d& torque_world, MarkerArray& out) {
-  const double metres = scale_.metres_per_radian_per_second;
+  const double metres = frame_.scale.metres_per_radian_per_second;
   const Eigen::Vector3d& moments = inertia_.moments();
   const Eigen::Vector3d omega = inertia_.toPrincipal(state.omega_body);
   // Of the body alone, without the slug that may be inside: Ω lies on these.
@@ -427,7 +431,7 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
   const auto put = [this, &out](const MarkerArray& markers) {
     for (const Marker& m : markers.markers) stage_.put(m, out);
   };
-  if (scale_.metres_per_angular_momentum * state.momentum_world.norm() > kLeastMomentum) {
+  if (frame_.scale.metres_per_angular_momentum * state.momentum_world.norm() > kLeastMomentum) {
     for (const Marker& m : momentumMarkers(state.momentum_world, torque_world)) stage_.put(m, out);
   } else {
     stage_.withdraw(brush_.ns(names::kSpace, names::kAngularMomentum), 0, out);
@@ -474,7 +478,7 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
 }
 
 void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const {
-  const double metres = scale_.metres_per_radian_per_second;
+  const double metres = frame_.scale.metres_per_radian_per_second;
   const Eigen::Vector3d in_space = metres * state.omega_world;
   const Eigen::Vector3d in_model = metres * state.omega_body;
   const std::string& space = brush_.frames().space;
@@ -503,7 +507,7 @@ void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const 
   out.markers.push_back(bead);
   Marker bead_symbol =
       brush_.text(kModelOmegaSymbol, model,
-                  in_model + layout_.model_orientation.conjugate() * besideBead(layout_.model_orientation * in_model),
+                  in_model + frame_.layout.model_orientation.conjugate() * besideBead(frame_.layout.model_orientation * in_model),
                   "\xCE\xA9", kSymbolHeight);
   bead_symbol.color = palette::omega();
   out.markers.push_back(bead_symbol);

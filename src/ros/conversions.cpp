@@ -1,5 +1,6 @@
 #include "poinsot/ros/conversions.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 
@@ -40,6 +41,14 @@ geometry_msgs::Transform toTransform(const Eigen::Vector3d& translation, const E
   out.translation = toVector3(translation);
   out.rotation = toQuaternion(rotation);
   return out;
+}
+
+ros::Time toTime(session::Nanoseconds stamp) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp));
+}
+
+session::Nanoseconds toNanoseconds(const ros::Time& stamp) {
+  return static_cast<session::Nanoseconds>(stamp.toNSec());
 }
 
 YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& place) {

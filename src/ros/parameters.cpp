@@ -5,7 +5,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "poinsot/cost/settle.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/names.h"
@@ -60,7 +59,7 @@ std::string readPrefix(XmlRpc::XmlRpcValue& value) {
 
 }  // namespace
 
-Parameters readParameters(const ros::NodeHandle& handle, const std::atomic<bool>& cancel) {
+Parameters readParameters(const ros::NodeHandle& handle) {
   Parameters out;
   const bool has_tree = handle.hasParam(names::kScene);
   const bool has_file = handle.hasParam(names::kSceneFile);
@@ -91,7 +90,6 @@ Parameters readParameters(const ros::NodeHandle& handle, const std::atomic<bool>
             << " Hz is";
     throw ParameterError(message.str());
   }
-  out.choices = cost::settleMethods(out.scene, out.rate, cancel);
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
     out.publish_clock = static_cast<bool>(value);

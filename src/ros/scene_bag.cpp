@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "poinsot/ros/body_messages.h"
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/names.h"
+
 namespace poinsot::node {
 namespace {
 
@@ -28,12 +32,20 @@ std::string absolute(const std::string& topic) {
 SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Options& options)
     : bag_(std::make_unique<rosbag::Bag>(file, rosbag::bagmode::Write)), markers_(options.markers) {
   for (const scene::Body& body : scene.bodies) {
-    const auto topic = [&body](const char* name) { return absolute(names::topic(body.name, name)); };
-    entries_.push_back({std::make_unique<MovingBody>(body, "", markers_), topic(names::kState), topic(names::kOdometry),
-                        topic(names::kDescription)});
-    some_body_steps_ = some_body_steps_ || !entries_.back().body->motion().inClosedForm();
+    entries_.emplace_back(body, markers_ ? BodyPicture::Detail::pictures : BodyPicture::Detail::none);
+    if (!markers_) entries_.back().picture.reset();
+    some_body_steps_ = some_body_steps_ || !entries_.back().body.motion().inClosedForm();
   }
 }
+
+SceneBag::Entry::Entry(const scene::Body& scene_body, BodyPicture::Detail detail)
+    : body(scene_body),
+      frames("", scene_body.name),
+      state(absolute(names::topic(scene_body.name, names::kState))),
+      odometry(absolute(names::topic(scene_body.name, names::kOdometry))),
+      description(absolute(names::topic(scene_body.name, names::kDescription))),
+      picture(std::make_unique<BodyPicture>(scene_body, body.motion(), frames, detail)),
+      frame(picture->frame()) {}
 
 // A bag that meets a full disk cannot be destroyed: its destructor would write once more, and throw.
 SceneBag::~SceneBag() {
@@ -63,45 +75,45 @@ void SceneBag::write(double t) {
   stamp_ = stamp;
   if (first) writeStatic();
   if (!static_markers_repeated_ && stamp >= stampAt(0) + kRepeatAfter) writeStaticMarkers();
-  writeMoving({stamp, t, 1, 0});
+  writeMoving({toNanoseconds(stamp), t, 1, 0});
 }
 
 void SceneBag::writeStatic() {
   tf2_msgs::TFMessage transforms;
   for (const Entry& entry : entries_) {
-    entry.body->appendStaticTransforms(*stamp_, transforms.transforms);
-    putLatched(entry.description, entry.body->description());
+    appendStaticTransforms(entry.frames, entry.frame.layout, *stamp_, transforms.transforms);
+    putLatched(entry.description, descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
   }
   putLatched("/tf_static", transforms);
   writeStaticMarkers();
   static_markers_repeated_ = false;
 }
 
-// Written twice, for what RViz needs of the node too: see Node::resendStaticMarkers.
+// Written twice, for what RViz needs of the node too: see SceneTopics::resendStatic.
 void SceneBag::writeStaticMarkers() {
   static_markers_repeated_ = true;
   if (!markers_) return;
   MarkerArray markers = clearedMarkers();
-  for (const Entry& entry : entries_) entry.body->picture().appendStatic(markers);
+  for (const Entry& entry : entries_) entry.picture->appendStatic(markers);
   putLatched(absolute(names::kMarkersStatic), markers);
 }
 
-void SceneBag::writeMoving(const Tick& tick) {
+void SceneBag::writeMoving(const session::Tick& tick) {
   transforms_.transforms.clear();
-  for (const Entry& entry : entries_) {
-    entry.body->move(tick);
-    entry.body->appendTransforms(tick.stamp, transforms_.transforms);
-    put(entry.state, entry.body->stateMessage(tick, kNotMeasured));
-    put(entry.odometry, entry.body->odometryMessage(tick));
+  for (Entry& entry : entries_) {
+    entry.body.move(tick);
+    appendTransforms(entry.body, entry.frames, *stamp_, transforms_.transforms);
+    put(entry.state, stateMessage(entry.body, tick, kNotMeasured));
+    put(entry.odometry, odometryMessage(entry.body, entry.frames.body, tick));
   }
   put("/tf", transforms_);
   if (!markers_) return;
   MarkerArray markers;
-  for (const Entry& entry : entries_) {
-    MovingBody& body = *entry.body;
-    body.picture().appendMoving(tick, body.motion(), body.state(), markers);
+  for (Entry& entry : entries_) {
+    session::MovingBody& body = entry.body;
+    entry.picture->appendMoving(tick, body.motion(), body.state(), markers);
     if (!some_body_steps_) continue;
-    body.picture().appendFigures(
+    entry.picture->appendFigures(
         tick, {body.attitudeError(), body.energyDrift(), kNotMeasured, body.state().kinetic_energy}, markers);
   }
   if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);

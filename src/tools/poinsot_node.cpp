@@ -82,8 +82,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle handle, private_handle("~");
   int code = kBadUse;
   try {
-    poinsot::node::Node node(poinsot::node::readParameters(private_handle, interrupted), handle, private_handle,
-                             interrupted);
+    poinsot::node::Node node(poinsot::node::readParameters(private_handle), handle, private_handle, interrupted);
     code = kFailed;
     node.run();
   } catch (const poinsot::cost::Cancelled&) {

@@ -140,14 +140,14 @@ std::vector<std::string> writeBag(const OutputFile& file, const scene::Scene& sc
     for (std::int64_t k = 0; k < count; ++k) {
       bag.write(times.at(k));
       for (std::size_t i = 0; i < bag.bodyCount(); ++i) {
-        const node::MovingBody& body = bag.body(i);
+        const session::MovingBody& body = bag.body(i);
         if (tools::isJudged(body.motion())) worst[i].add(times.at(k), body.attitudeError(), body.energyDrift());
       }
       progress.add(bodies);
     }
     bag.close();
     for (std::size_t i = 0; i < bag.bodyCount(); ++i) {
-      const node::MovingBody& body = bag.body(i);
+      const session::MovingBody& body = bag.body(i);
       if (tools::isJudged(body.motion())) out.push_back(tools::worstErrorsText(body.name(), body.motion(), worst[i]));
     }
   } catch (const rosbag::BagException& error) {

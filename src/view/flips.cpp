@@ -95,8 +95,8 @@ Flips flipsOf(const ClosedForm& motion, double t, double direction) {
   return out;
 }
 
-const char* textOf(const Polhode& polhode, const Eigen::Vector3d& moments) {
-  switch (polhode.regime) {
+const char* textOf(Regime regime, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal) {
+  switch (regime) {
     case Regime::about_smallest:
       return "about the axis of smallest moment";
     case Regime::about_largest:
@@ -106,7 +106,7 @@ const char* textOf(const Polhode& polhode, const Eigen::Vector3d& moments) {
     case Regime::circle:
       return "about the axis of symmetry";
     case Regime::axis_spin:
-      return textOfSteadySpin(moments, polhode.branches.front().points.front());
+      return textOfSteadySpin(moments, omega_principal);
     case Regime::sphere:
       return "steady: three equal moments";
     case Regime::rest:

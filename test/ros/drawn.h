@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/ros/moving_body.h"
+#include "poinsot/ros/body_messages.h"
+#include "poinsot/ros/body_picture.h"
+#include "poinsot/session/moving_body.h"
 
 /** What is drawn of one body, in numbers: from its markers and its tf alone. */
 namespace poinsot::node {
@@ -41,8 +43,11 @@ class Drawn {
       : Drawn(PrincipalInertia::fromMoments(moments), omega, attitude) {}
 
   Drawn(const PrincipalInertia& inertia, const Vector3d& omega, const Eigen::Quaterniond& attitude)
-      : body_(of(inertia, omega, attitude), "") {
-    body_.picture().appendStatic(still);
+      : scene_body_(of(inertia, omega, attitude)),
+        body_(scene_body_),
+        frames_("", scene_body_.name),
+        picture_(scene_body_, body_.motion(), frames_, BodyPicture::Detail::pictures) {
+    picture_.appendStatic(still);
   }
 
   static scene::Body of(const PrincipalInertia& inertia, const Vector3d& omega, const Eigen::Quaterniond& attitude) {
@@ -80,13 +85,13 @@ class Drawn {
 
   /** What moves, at t [s]. */
   MarkerArray at(double t) {
-    Tick tick;
-    tick.stamp = ros::Time(1000 + stamps_++);
+    session::Tick tick;
+    tick.stamp = (1000 + stamps_++) * session::kSecond;
     tick.time = t;
     tick.time_rate = 1;
     body_.move(tick);
     MarkerArray out;
-    body_.picture().appendMoving(tick, body_.motion(), body_.state(), out);
+    picture_.appendMoving(tick, body_.motion(), body_.state(), out);
     return out;
   }
 
@@ -109,7 +114,7 @@ class Drawn {
   Eigen::Quaterniond attitude(double t) {
     at(t);
     std::vector<geometry_msgs::TransformStamped> transforms;
-    body_.appendTransforms(ros::Time(1), transforms);
+    appendTransforms(body_, frames_, ros::Time(1), transforms);
     for (const auto& transform : transforms) {
       if (transform.child_frame_id == "body_space_body") return quaternion(transform.transform.rotation);
     }
@@ -124,7 +129,10 @@ class Drawn {
   }
 
  private:
-  MovingBody body_;
+  scene::Body scene_body_;
+  session::MovingBody body_;
+  names::Frames frames_;
+  BodyPicture picture_;
   int stamps_ = 0;
 };
 

@@ -181,7 +181,7 @@ TEST(Flips, goOnForAsLongAsTimesAreTold) {
 
 TEST(Flips, everyRegimeHasItsWords) {
   const auto words = [](const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
-    return std::string(textOf(polhode(moments, omega), moments));
+    return std::string(textOf(polhode(moments, omega).regime, moments, omega));
   };
   EXPECT_EQ(words({1, 2, 3}, {2, 5, 1}), "about the axis of smallest moment");
   EXPECT_EQ(words({1, 2, 3}, {1, 5, 1}), "about the axis of largest moment");

@@ -11,27 +11,17 @@
 #include "poinsot/ros/brush.h"
 #include "poinsot/ros/effect_markers.h"
 #include "poinsot/ros/names.h"
-#include "poinsot/ros/simulation_clock.h"
 #include "poinsot/scene/scene.h"
-#include "poinsot/view/layout.h"
+#include "poinsot/session/tick.h"
 #include "poinsot/view/path.h"
-#include "poinsot/view/picture_scale.h"
+#include "poinsot/view/picture_frame.h"
 #include "poinsot/view/polhode.h"
-#include "poinsot/view/reach.h"
 #include "poinsot/view/trail.h"
 
 namespace poinsot::node {
 
 /** Begins an array that may meet markers of an earlier scene in a viewer. */
 visualization_msgs::MarkerArray clearedMarkers();
-
-/** How the two pictures of a body stand and how large they are drawn. */
-struct PictureFrame {
-  view::Layout layout;
-  view::PictureScale scale;
-  view::Reach reach;   ///< of a body under torques
-  double title_depth;  ///< of the titles below the centres [m]
-};
 
 /**
  * One body's markers: the body itself, the two pictures of Poinsot's construction, and what shows its effects.
@@ -43,20 +33,16 @@ class BodyPicture {
  public:
   /** How much is worked out beforehand. */
   enum class Detail {
-    none,     ///< nobody will look: layout() and scale() are those of the start
+    none,     ///< nobody will look: frame() is that of the start
     pictures  ///< how large the pictures of a body under torques will get as well (view/reach.h)
   };
 
   /** @param keep draws it as large as another picture of the body, and turned alike; else it is laid out anew. */
   BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
-              const std::optional<PictureFrame>& keep = std::nullopt);
+              const std::optional<view::PictureFrame>& keep = std::nullopt);
 
-  const view::Layout& layout() const { return layout_; }
-  const view::PictureScale& scale() const { return scale_; }
-  PictureFrame frame() const { return {layout_, scale_, reach_, title_depth_}; }
-
-  /** Of the free motion at the start, in words. */
-  const char* regime() const;
+  /** How it stands and how large it is. */
+  const view::PictureFrame& frame() const { return frame_; }
 
   /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;
@@ -70,19 +56,19 @@ class BodyPicture {
   };
 
   /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */
-  void appendFigures(const Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
+  void appendFigures(const session::Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
 
-  /** What moves, at one tick. */
-  void appendMoving(const Tick& tick, const Motion& motion, const MotionState& state,
+  /** What moves, at one tick. The trail begins anew with each segment. */
+  void appendMoving(const session::Tick& tick, const Motion& motion, const MotionState& state,
                     visualization_msgs::MarkerArray& out);
 
-  /** Forgets the trail: nobody looked, or the motion jumped. */
+  /** Forgets the trail: nobody looked. */
   void clearTrail();
 
   /** The next markers hold also what is sent only now and then. */
   void sendAllNext() {
     for (auto* shown : {&figures_shown_, &flips_told_, &curves_shown_, &path_shown_}) {
-      if (*shown) *shown = ros::Time();
+      if (*shown) *shown = 0;
     }
   }
 
@@ -111,11 +97,11 @@ class BodyPicture {
   std::array<visualization_msgs::Marker, 2> momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                             const Eigen::Vector3d& torque_world) const;
   void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
-  void appendFlips(const Tick& tick, const Motion& motion, double time, visualization_msgs::MarkerArray& out);
+  void appendFlips(const session::Tick& tick, const Motion& motion, double time, visualization_msgs::MarkerArray& out);
   void appendTrail(const Eigen::Vector3d& place, visualization_msgs::MarkerArray& out);
-  void appendMovingConstruction(const Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
+  void appendMovingConstruction(const session::Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
                                 visualization_msgs::MarkerArray& out);
-  void appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
+  void appendPath(const session::Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
 
   Brush brush_;
   std::string name_;
@@ -125,7 +111,7 @@ class BodyPicture {
   Assembly shape_;
   Eigen::Vector3d shape_position_;  ///< of its centre of mass, body axes [m]
   std::string method_;              ///< with its step
-  std::optional<ros::Time> figures_shown_, flips_told_;
+  std::optional<session::Nanoseconds> figures_shown_, flips_told_;
   std::string flips_;     ///< in words, when they were told last
   double direction_ = 1;  ///< of play, when it was not paused
   bool torqued_;
@@ -134,12 +120,10 @@ class BodyPicture {
   bool momentum_is_constant_;              ///< by the method's promise, so that L need not be sent again
   Eigen::Vector3d omega_principal_;        ///< at t = 0 [rad/s]
   view::Polhode polhode_;                  ///< at t = 0
-  view::Layout layout_;
-  view::PictureScale scale_;
-  view::Reach reach_;                              ///< of a body under torques
-  double title_depth_;                             ///< of the titles below the centres [m]
+  view::PictureFrame frame_;
   mutable visualization_msgs::MarkerArray still_;  ///< made when it is first asked for
   view::Trail trail_;
+  std::optional<std::uint32_t> segment_;  ///< of the trail
   Stage stage_;
 
   // Of a body under torques.
@@ -148,7 +132,7 @@ class BodyPicture {
   bool path_rides_ = false;   ///< on the present momentum ellipsoid: it grows and shrinks with it
   double path_size_ = 1;      ///< at which all of it was last drawn
   bool path_jumped_ = false;  ///< what was shown of it is no more
-  std::optional<ros::Time> path_shown_, curves_shown_;
+  std::optional<session::Nanoseconds> path_shown_, curves_shown_;
   std::size_t path_turn_ = 0;                                 ///< the piece that was sent once more
   double curves_energy_size_ = 0, curves_momentum_size_ = 0;  ///< √E and |MΩ| when the curves were sent
 };

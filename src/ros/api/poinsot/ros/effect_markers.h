@@ -5,7 +5,6 @@
 
 #include "poinsot/core/motion.h"
 #include "poinsot/ros/brush.h"
-#include "poinsot/ros/simulation_clock.h"
 #include "poinsot/view/trail.h"
 
 namespace poinsot::node {

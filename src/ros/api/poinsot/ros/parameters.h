@@ -2,10 +2,8 @@
 
 #include <ros/node_handle.h>
 
-#include <atomic>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "poinsot/scene/scene.h"
 
@@ -13,9 +11,8 @@ namespace poinsot::node {
 
 /** The node's private parameters, validated. */
 struct Parameters {
-  scene::Scene scene;                 ///< with a method and a step for every body
+  scene::Scene scene;                 ///< accuracies are still to be met by a method and a step
   std::string scene_file;             ///< its path; empty where it came as a tree
-  std::vector<std::string> choices;   ///< what was chosen for bodies that name an accuracy, a sentence each
   double rate = scene::kDefaultRate;  ///< [Hz]
   bool publish_clock = false;
   std::string frame_prefix;
@@ -29,10 +26,9 @@ class ParameterError : public std::runtime_error {
 
 /**
  * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~publish_clock` and `~frame_prefix`.
- * @param cancel makes it give up looking for methods that meet an accuracy.
- * Throws ParameterError, scene::Error for a bad scene or rate, or cost::Cancelled.
+ * Throws ParameterError, or scene::Error for a bad scene or rate.
  */
-Parameters readParameters(const ros::NodeHandle& private_handle, const std::atomic<bool>& cancel);
+Parameters readParameters(const ros::NodeHandle& private_handle);
 
 /** Throws ParameterError where the prefix makes a body's frame "world". */
 void checkPrefix(const std::string& frame_prefix, const scene::Scene& scene);

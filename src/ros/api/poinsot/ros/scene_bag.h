@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/ros/moving_body.h"
+#include "poinsot/ros/body_picture.h"
+#include "poinsot/ros/names.h"
 #include "poinsot/scene/scene.h"
+#include "poinsot/session/moving_body.h"
 
 namespace poinsot::node {
 
@@ -45,7 +47,7 @@ class SceneBag {
 
   /** The bodies at the last time that was written. */
   std::size_t bodyCount() const { return entries_.size(); }
-  const MovingBody& body(std::size_t i) const { return *entries_[i].body; }
+  const session::MovingBody& body(std::size_t i) const { return entries_[i].body; }
 
   /** Ends the file. One that was not closed is no bag. */
   void close();
@@ -58,12 +60,16 @@ class SceneBag {
 
   void writeStatic();
   void writeStaticMarkers();
-  void writeMoving(const Tick& tick);
+  void writeMoving(const session::Tick& tick);
 
-  /** A body and the names of its topics. */
+  /** A body, its picture where there is to be one, and the names of its topics. */
   struct Entry {
-    std::unique_ptr<MovingBody> body;
+    Entry(const scene::Body& scene_body, BodyPicture::Detail detail);
+    session::MovingBody body;
+    names::Frames frames;
     std::string state, odometry, description;
+    std::unique_ptr<BodyPicture> picture;
+    view::PictureFrame frame;
   };
 
   std::unique_ptr<rosbag::Bag> bag_;

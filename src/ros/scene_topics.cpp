@@ -1,0 +1,145 @@
+#include "poinsot/ros/scene_topics.h"
+
+#include <algorithm>
+
+#include "poinsot/cost/cpu_time.h"
+#include "poinsot/ros/body_messages.h"
+#include "poinsot/ros/body_topics.h"
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/names.h"
+
+namespace poinsot::node {
+namespace {
+
+using session::Session;
+using visualization_msgs::MarkerArray;
+
+constexpr int kMarkerQueue = 100;
+constexpr int kTfQueue = 100;
+const ros::WallDuration kResendAfter(2);
+const ros::WallDuration kResendAfterScene(0.5);  // its frames are new to everybody
+const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new viewer is given the last one
+const ros::WallDuration kPreviewPause(0.05);
+
+BodyPicture::Figures figuresOf(const session::Body& body) {
+  return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
+}
+
+}  // namespace
+
+SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle) {
+  // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
+  tf_ = handle_.advertise<tf2_msgs::TFMessage>(
+      names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
+        const bool next_is_far = ros::SteadyTime::now() - transforms_sent_ > kNextIsFar;
+        if (next_is_far && !transforms_.transforms.empty()) viewer.publish(transforms_);
+      });
+  static_tf_ = handle_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 10, true);
+  markers_ = handle_.advertise<MarkerArray>(
+      names::kMarkers, kMarkerQueue,
+      [this](const ros::SingleSubscriberPublisher&) { markers_have_new_viewer_ = true; });
+  static_markers_ = handle_.advertise<MarkerArray>(
+      names::kMarkersStatic, 1,
+      [this](const ros::SingleSubscriberPublisher&) { resend_static_at_ = ros::SteadyTime::now() + kResendAfter; },
+      ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
+}
+
+void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) {
+  // One message for all: whoever replays a bag gets the last one of a latched topic only.
+  tf2_msgs::TFMessage transforms;
+  for (const auto& body : session.bodies()) {
+    const BodyTopics& topics = topicsOf(*body);
+    appendStaticTransforms(topics.frames(), topics.frame().layout, stamp, transforms.transforms);
+    topics.publishDescription(*body);
+  }
+  static_tf_.publish(transforms);
+  publishStaticMarkers(session);
+}
+
+void SceneTopics::bodiesChanged(const Session& session, bool all, const ros::Time& stamp) {
+  has_preview_ = preview_is_new_ = false;
+  if (all) {
+    // What the old scene had sent is not for who comes now, and who is there is to see no more of it.
+    resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;
+    transforms_.transforms.clear();
+    last_tick_.reset();
+    markers_.publish(clearedMarkers());
+  }
+  publishStatic(session, stamp);
+  markers_watched_ = false;
+}
+
+void SceneTopics::previewEnded(const Session& session) {
+  has_preview_ = preview_is_new_ = false;
+  publishStaticMarkers(session);
+  markers_watched_ = false;
+}
+
+void SceneTopics::publishStaticMarkers(const Session& session) {
+  MarkerArray markers = clearedMarkers();
+  for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().appendStatic(markers);
+  static_markers_.publish(markers);
+}
+
+// RViz loses a latched marker that reaches it before the frames do: as soon as they come, tf2 holds the marker's stamp
+// 0 to be older than all it knows. A second copy finds them there.
+void SceneTopics::resendStatic(const Session& session) {
+  if (!resend_static_at_ || ros::SteadyTime::now() < *resend_static_at_) return;
+  resend_static_at_.reset();
+  publishStaticMarkers(session);
+}
+
+void SceneTopics::publish(const Session& session, const session::Tick& tick) {
+  const ros::Time stamp = toTime(tick.stamp);
+  last_tick_ = tick;
+  transforms_.transforms.clear();
+  for (const auto& body : session.bodies()) {
+    appendTransforms(*body, topicsOf(*body).frames(), stamp, transforms_.transforms);
+  }
+  tf_.publish(transforms_);
+  transforms_sent_ = ros::SteadyTime::now();
+  for (const auto& body : session.bodies()) topicsOf(*body).publish(*body, tick);
+  publishPreview(session);
+  publishMarkers(session, tick);
+}
+
+void SceneTopics::publishToNewViewers(const Session& session) {
+  const bool preview_is_new = publishPreview(session);
+  if (!last_tick_ || !(preview_is_new || markers_have_new_viewer_)) return;
+  for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().sendAllNext();
+  publishMarkers(session, *last_tick_);
+}
+
+bool SceneTopics::publishPreview(const Session& session) {
+  if (!session.preview() || !preview_is_new_ || ros::SteadyTime::now() - preview_sent_ < kPreviewPause) return false;
+  if (!has_preview_) markers_watched_ = false;  // the trail and the words are those of the spin before
+  has_preview_ = true;
+  preview_is_new_ = false;
+  preview_sent_ = ros::SteadyTime::now();
+  publishStaticMarkers(session);
+  return true;
+}
+
+void SceneTopics::publishMarkers(const Session& session, const session::Tick& tick) {
+  markers_have_new_viewer_ = false;
+  const auto& bodies = session.bodies();
+  const bool watched = markers_.getNumSubscribers() > 0;
+  if (watched) {
+    const bool some_body_steps = std::any_of(bodies.begin(), bodies.end(),
+                                             [](const auto& body) { return !body->motion().inClosedForm(); });
+    MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const session::Body& body = session.drawn(i);
+      BodyPicture& picture = topicsOf(body).picture();
+      picture.appendMoving(tick, body.motion(), body.state(), markers);
+      // They tell how well it steps, which a body that is only drawn as it would be does not.
+      if (some_body_steps && &body == bodies[i].get()) picture.appendFigures(tick, figuresOf(body), markers);
+    }
+    if (!markers.markers.empty()) markers_.publish(markers);
+  } else if (markers_watched_) {
+    for (const auto& body : bodies) topicsOf(*body).picture().clearTrail();
+  }
+  markers_watched_ = watched;
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,227 @@
+#include "poinsot/ros/spin_handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/ros/body_topics.h"
+#include "poinsot/ros/brush.h"
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/ros/palette.h"
+
+namespace poinsot::node {
+namespace {
+
+using interactive_markers::MenuHandler;
+using session::HandleEvent;
+using visualization_msgs::InteractiveMarker;
+using visualization_msgs::InteractiveMarkerControl;
+using visualization_msgs::InteractiveMarkerFeedback;
+using visualization_msgs::Marker;
+
+constexpr double kDiameter = 0.24;  // m: the point of Ω within is 0.1
+constexpr float kAlpha = 0.35f;
+constexpr int kMeridians = 12, kParallels = 6;
+constexpr std::size_t kMostHandles = 16;     // bodies beyond have none
+constexpr std::size_t kPlacedEachTick = 4;   // with more they are placed more rarely
+constexpr std::size_t kMostEvents = 1000;  // kept between two calls of take()
+
+/** Around what is drawn at Ω. Of a sixth of the triangles of RViz's own sphere, which software OpenGL feels. */
+Marker ball() {
+  Marker out;
+  out.type = Marker::TRIANGLE_LIST;
+  out.pose.orientation.w = 1;
+  out.scale = toVector3({1, 1, 1});
+  out.color = palette::translucent(palette::omega(), kAlpha);
+  const auto point = [](int parallel, int meridian) {
+    const double polar = M_PI * parallel / kParallels, around = 2 * M_PI * meridian / kMeridians;
+    return toPoint(
+        0.5 * kDiameter *
+        Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar)));
+  };
+  for (int j = 0; j < kParallels; ++j) {
+    for (int i = 0; i < kMeridians; ++i) {
+      const auto north_west = point(j, i), south_west = point(j + 1, i), south_east = point(j + 1, i + 1),
+                 north_east = point(j, i + 1);
+      if (j > 0) out.points.insert(out.points.end(), {north_west, south_west, north_east});
+      if (j + 1 < kParallels) out.points.insert(out.points.end(), {north_east, south_west, south_east});
+    }
+  }
+  makeUnlit(out);
+  return out;
+}
+
+geometry_msgs::Pose poseAt(const Eigen::Vector3d& point) {
+  geometry_msgs::Pose out;
+  out.position = toPoint(point);
+  out.orientation.w = 1;
+  return out;
+}
+
+HandleEvent meaning(HandleEvent::Kind kind) {
+  HandleEvent out;
+  out.kind = kind;
+  return out;
+}
+
+HandleEvent keeping(view::Keep keep) {
+  HandleEvent out = meaning(HandleEvent::Kind::keep);
+  out.keep = keep;
+  return out;
+}
+
+HandleEvent spinning(HandleEvent::Kind kind, view::Axis axis) {
+  HandleEvent out = meaning(kind);
+  out.axis = axis;
+  return out;
+}
+
+}  // namespace
+
+SpinHandles::SpinHandles(const ros::NodeHandle& private_handle)
+    : handle_(private_handle),
+      server_(private_handle.resolveName(names::kGrip)),
+      update_(
+          handle_.advertise<visualization_msgs::InteractiveMarkerUpdate>(std::string(names::kGrip) + "/update", 100)) {
+  using Kind = HandleEvent::Kind;
+  const auto lead = menu_.insert("Lead Omega over the");
+  keep_energy_ = entry(lead, "energy ellipsoid (E stays)", keeping(view::Keep::energy));
+  keep_momentum_ = entry(lead, "momentum ellipsoid (|L| stays)", keeping(view::Keep::momentum));
+  const auto spin = menu_.insert("Spin exactly about the axis of");
+  entry(spin, "smallest moment", spinning(Kind::axis, view::Axis::smallest));
+  entry(spin, "intermediate moment", spinning(Kind::axis, view::Axis::intermediate));
+  entry(spin, "largest moment", spinning(Kind::axis, view::Axis::largest));
+  const auto near = menu_.insert("Spin near the axis of");
+  entry(near, "smallest moment: stable", spinning(Kind::near, view::Axis::smallest));
+  entry(near, "intermediate moment: flips", spinning(Kind::near, view::Axis::intermediate));
+  entry(near, "largest moment: stable", spinning(Kind::near, view::Axis::largest));
+  const auto separatrix =
+      menu_.insert("Spin exactly on the separatrix (to rounding)", [this](const Feedback& f) { add(f); });
+  meaning_[separatrix] = meaning(Kind::separatrix);
+  const auto reset = menu_.insert("Reset: the scene's own spins", [this](const Feedback& f) { add(f); });
+  meaning_[reset] = meaning(Kind::reset);
+  showKept(view::Keep::energy);
+}
+
+MenuHandler::EntryHandle SpinHandles::entry(MenuHandler::EntryHandle parent, const std::string& title, const HandleEvent& event) {
+  const auto out = menu_.insert(parent, title, [this](const Feedback& feedback) { add(feedback); });
+  meaning_[out] = event;
+  return out;
+}
+
+void SpinHandles::make(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
+  InteractiveMarker handle;
+  handle.header.frame_id = frame;
+  handle.name = body;
+  handle.scale = static_cast<float>(kDiameter);
+  handle.pose = poseAt(point);
+
+  InteractiveMarkerControl control;
+  control.name = "lead";
+  control.description = "drag: lead Omega about; right click: spins to choose from. ";
+  // In the plane of the screen. MENU beside it would take the left button too.
+  control.interaction_mode = InteractiveMarkerControl::MOVE_3D;
+  control.orientation.w = 1;
+  control.always_visible = true;
+  control.markers.push_back(ball());
+  handle.controls.push_back(control);
+
+  server_.insert(handle, [this](const Feedback& feedback) { add(feedback); });
+  menu_.apply(server_, body);
+  frames_[body] = frame;
+}
+
+void SpinHandles::place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
+  const auto there = frames_.find(body);
+  const bool is_new = there == frames_.end() || there->second != frame;
+  const auto place = places_.find(body);
+  if (!is_new && place != places_.end() && place->second == point) return;
+  places_[body] = point;
+  if (is_new) {
+    make(body, frame, point);
+  } else {
+    server_.setPose(body, poseAt(point));
+  }
+}
+
+void SpinHandles::remove(const std::string& body) {
+  if (frames_.erase(body) == 0) return;
+  server_.erase(body);
+  places_.erase(body);
+}
+
+void SpinHandles::removeAll() {
+  frames_.clear();
+  server_.clear();
+  places_.clear();
+}
+
+void SpinHandles::showKept(view::Keep keep) {
+  menu_.setCheckState(keep_energy_, keep == view::Keep::energy ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+  menu_.setCheckState(keep_momentum_, keep == view::Keep::momentum ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+  menu_.reApply(server_);
+}
+
+void SpinHandles::update(const session::Session& session) {
+  if (update_.getNumSubscribers() == 0) return;
+  const auto& bodies = session.bodies();
+  const std::size_t pause = (bodies.size() + kPlacedEachTick - 1) / kPlacedEachTick;
+  if (++ticks_since_update_ < pause && session.drag().state() == session::SpinDrag::State::free) return;
+  ticks_since_update_ = 0;
+  for (std::size_t i = 0; i < std::min(bodies.size(), kMostHandles); ++i) {
+    const session::Body& body = session.drawn(i);
+    if (body.state().omega_body.isZero(0)) {
+      remove(body.name());
+    } else {
+      place(body.name(), topicsOf(body).frames().model, session::omegaPoint(body));
+    }
+  }
+  server_.applyChanges();
+}
+
+// The server takes the hand's place, whatever it is, for the handle's. It calls back while it holds its own lock, so
+// nothing is sent in between.
+void SpinHandles::putBack(const std::string& body) {
+  const auto found = places_.find(body);
+  if (found != places_.end()) server_.setPose(body, poseAt(found->second));
+}
+
+void SpinHandles::add(const Feedback& feedback) {
+  HandleEvent out;
+  switch (feedback->event_type) {
+    case InteractiveMarkerFeedback::MOUSE_DOWN:
+      out.kind = HandleEvent::Kind::press;
+      break;
+    case InteractiveMarkerFeedback::POSE_UPDATE:
+      out.kind = HandleEvent::Kind::lead;
+      putBack(feedback->marker_name);
+      break;
+    case InteractiveMarkerFeedback::MOUSE_UP:
+      out.kind = HandleEvent::Kind::let_go;
+      break;
+    case InteractiveMarkerFeedback::KEEP_ALIVE:
+      out.kind = HandleEvent::Kind::hold;
+      break;
+    case InteractiveMarkerFeedback::MENU_SELECT: {
+      const auto found = meaning_.find(feedback->menu_entry_id);
+      if (found == meaning_.end()) return;
+      out = found->second;
+      break;
+    }
+    default:
+      return;
+  }
+  out.body = feedback->marker_name;
+  out.frame = feedback->header.frame_id;
+  const auto& p = feedback->pose.position;
+  out.point = {p.x, p.y, p.z};
+  if (events_.size() < kMostEvents) events_.push_back(out);
+}
+
+std::vector<HandleEvent> SpinHandles::take() {
+  std::vector<HandleEvent> out;
+  out.swap(events_);
+  return out;
+}
+
+}  // namespace poinsot::node

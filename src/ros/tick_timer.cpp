@@ -1,0 +1,102 @@
+#include "poinsot/ros/tick_timer.h"
+
+#include <ros/init.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/ros/conversions.h"
+
+namespace poinsot::node {
+namespace {
+
+constexpr std::chrono::milliseconds kLongestSleep{100};  // what does not wait for ticks is looked after so often
+constexpr std::chrono::milliseconds kLook{1};            // at a foreign clock
+constexpr double kMostPeriodsBehind = 10;                // then the schedule is moved instead of caught up with
+const ros::Time kOwnClockStart(1, 0);                    // not zero, which ROS reads as "no time yet"
+
+ros::WallDuration toWallDuration(std::chrono::steady_clock::duration time) {
+  return ros::WallDuration(std::chrono::duration<double>(time).count());
+}
+
+}  // namespace
+
+TickTimer::TickTimer(Mode mode, double rate, ros::CallbackQueue& callbacks)
+    : mode_(mode), period_(1.0 / rate), callbacks_(callbacks), origin_(Steady::now()) {
+  counted_.since = origin_;
+}
+
+TickTimer::Wake TickTimer::wait(const std::atomic<bool>& interrupted) {
+  const Wake wake = mode_ == Mode::foreign_clock ? waitForeign(interrupted) : waitSteady(interrupted);
+  if (wake == Wake::due) {
+    ++made_;
+    ++counted_.ticks;
+  }
+  return wake;
+}
+
+TickTimer::Wake TickTimer::waitSteady(const std::atomic<bool>& interrupted) {
+  const auto due =
+      origin_ + std::chrono::duration_cast<Steady::duration>(period_ * static_cast<double>(made_since_origin_ + 1));
+  // At least once, also where ticks take longer than their period: a node that is always late must still be heard.
+  callbacks_.callAvailable();
+  for (Steady::time_point now, end = Steady::now() + kLongestSleep; (now = Steady::now()) < due;) {
+    if (!ros::ok() || interrupted) return Wake::ended;
+    if (now >= end) return Wake::idle;
+    callbacks_.callAvailable(toWallDuration(std::min(due, end) - now));
+  }
+  ++made_since_origin_;
+  countLateness(due);
+  return ros::ok() && !interrupted ? Wake::due : Wake::ended;
+}
+
+TickTimer::Wake TickTimer::waitForeign(const std::atomic<bool>& interrupted) {
+  const Steady::time_point begin = Steady::now();
+  while (ros::ok() && !interrupted) {
+    callbacks_.callAvailable(toWallDuration(kLook));
+    const ros::Time now = ros::Time::now();
+    const bool jumped_back = now < foreign_last_;
+    if (!now.isZero() && (jumped_back || now >= foreign_due_)) {
+      const ros::Duration period(period_.count());
+      const bool behind = jumped_back || now - foreign_due_ > period;
+      foreign_due_ = (behind ? now : foreign_due_) + period;
+      foreign_last_ = now;
+      return Wake::due;
+    }
+    if (Steady::now() - begin >= kLongestSleep) return Wake::idle;
+  }
+  return Wake::ended;
+}
+
+void TickTimer::countLateness(Steady::time_point due) {
+  const double lateness = std::chrono::duration<double>(Steady::now() - due).count();
+  counted_.sum += lateness;
+  counted_.sum_of_squares += lateness * lateness;
+  counted_.worst = std::max(counted_.worst, lateness);
+  if (lateness > kMostPeriodsBehind * period_.count()) {
+    origin_ = Steady::now();
+    made_since_origin_ = 0;
+  }
+}
+
+session::Nanoseconds TickTimer::stamp() const {
+  if (mode_ != Mode::own_clock) return toNanoseconds(ros::Time::now());
+  return toNanoseconds(kOwnClockStart + ros::Duration(period_.count() * static_cast<double>(made_)));
+}
+
+Punctuality TickTimer::takePunctuality() {
+  const auto now = Steady::now();
+  Punctuality out;
+  out.ticks = counted_.ticks;
+  const double n = static_cast<double>(std::max<std::int64_t>(1, counted_.ticks));
+  out.rate = static_cast<double>(counted_.ticks) /
+             std::max(1e-9, std::chrono::duration<double>(now - counted_.since).count());
+  out.mean_lateness = counted_.sum / n;
+  out.jitter = std::sqrt(std::max(0.0, counted_.sum_of_squares / n - out.mean_lateness * out.mean_lateness));
+  out.worst = counted_.worst;
+  counted_ = {};
+  counted_.since = now;
+  return out;
+}
+
+}  // namespace poinsot::node

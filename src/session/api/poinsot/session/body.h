@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "poinsot/cost/cost_meter.h"
+#include "poinsot/session/companion.h"
+#include "poinsot/session/moving_body.h"
+#include "poinsot/view/polhode.h"
+
+namespace poinsot::session {
+
+/** A body that plays: with what belongs to it outside and, where that is measured, what it costs. */
+class Body : public MovingBody {
+ public:
+  Body(const scene::Body& body, const MakeCompanion& companion);
+
+  Companion& companion() const { return *companion_; }
+  /** Of the free motion that begins at its start. */
+  view::Regime regime() const { return regime_; }
+
+  /** Measures what it costs from now on, with a short trial run first. @param rate of the ticks [Hz]. */
+  void measure(double rate) { meter_.emplace(motion(), rate); }
+  /** CPU seconds per simulated second, as measured lately; NaN where it is not measured. */
+  double cost() const;
+  /** Of its stepping alone, which a faster play multiplies; 0 where it has no steps or is not measured. */
+  double steppingCost() const { return meter_ ? meter_->steppingCost() : 0; }
+
+  /** MovingBody::move, its cost measured. */
+  void move(const Tick& tick);
+
+ private:
+  view::Regime regime_;
+  std::unique_ptr<Companion> companion_;
+  std::optional<cost::CostMeter> meter_;
+};
+
+}  // namespace poinsot::session

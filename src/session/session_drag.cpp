@@ -1,0 +1,139 @@
+// What hands do to the bodies' spins.
+#include <exception>
+#include <stdexcept>
+
+#include "number_text.h"
+#include "poinsot/scene/changes.h"
+#include "poinsot/scene/reader.h"
+#include "poinsot/session/session.h"
+#include "poinsot/view/spin_choices.h"
+
+namespace poinsot::session {
+namespace {
+
+const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
+
+}  // namespace
+
+Eigen::Vector3d omegaPoint(const Body& body) {
+  return body.companion().frame().scale.metres_per_radian_per_second * body.state().omega_body;
+}
+
+void Session::touch(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
+                    const std::string& frame) {
+  try {
+    handle(event, now, eye, frame);
+  } catch (const std::exception& error) {
+    refuse(SetSpin{event.body, {}}, error.what());
+  }
+}
+
+void Session::handle(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
+                     const std::string& frame) {
+  using Kind = HandleEvent::Kind;
+  const bool holds_it = drag_.isHeld() && drag_.isOn(event.body);
+  switch (event.kind) {
+    case Kind::reset:
+      ask(Reset{});
+      return;
+    case Kind::keep:
+      keep_ = event.keep;
+      listener_.keepsAnotherEllipsoid(keep_);
+      return;
+    case Kind::press:
+      press(*bodies_[indexOf(playing_.scene, event.body)], now);
+      return;
+    case Kind::lead:
+      lead(event, now, eye, frame);
+      return;
+    case Kind::hold:
+      if (holds_it) drag_.touch(now);
+      return;
+    case Kind::let_go:
+      if (holds_it) letGo();
+      return;
+    case Kind::axis:
+    case Kind::near:
+    case Kind::separatrix:
+      choose(event);
+      return;
+  }
+}
+
+void Session::press(const Body& body, Nanoseconds now) {
+  if (drag_.isHeld() && drag_.isOn(body.name())) return;
+  endDrag();
+  drag_.press(body.name(), omegaPoint(body), clock_.paused(), now);
+  clock_.pause(true);
+}
+
+void Session::lead(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
+                   const std::string& frame) {
+  const std::size_t i = indexOf(playing_.scene, event.body);
+  const Body& body = *bodies_[i];
+  if (event.frame != frame) {
+    throw scene::Error("grip of " + event.body + ": a place in frame \"" + event.frame + "\"; allowed: frame " + frame);
+  }
+  if (body.state().omega_body.isZero(0)) throw scene::Error("grip of " + event.body + ": " + kRestsText);
+  const std::optional<Eigen::Vector3d> omega_body =
+      ledTo({body.motion().setup().inertia, body.state().omega_body, body.companion().frame(), keep_}, event.point, eye);
+  if (!omega_body) {
+    throw scene::Error("grip of " + event.body + ": (" + shown(event.point.x()) + ", " + shown(event.point.y()) + ", " +
+                       shown(event.point.z()) +
+                       ") m is no place to lead Omega to; allowed: finite places off the centre");
+  }
+  press(body, now);
+  drag_.touch(now);
+  if (!drag_.leads(event.point, omegaPoint(body))) return;
+  drag_.leadTo(*omega_body);
+  scene::Body start = scene::withSpin(playing_.scene.bodies[i], body.state(), *omega_body);
+  if (start.effects.empty()) {
+    start.method = kClosedForm;  // only its start is looked at
+    start.step.reset();
+  }
+  preview_ = std::make_unique<Body>(start, options_.companions(bodies_, Redraw::never));
+  listener_.previewChanged();
+}
+
+void Session::letGo() {
+  if (drag_.state() == SpinDrag::State::pressed) {
+    endDrag();
+    return;
+  }
+  drag_.letGo();
+  ask(SetSpin{drag_.body(), drag_.omegaBody()}, [this](const Answer& answer) {
+    if (answer.refusal) endDrag();
+  });
+}
+
+void Session::endDrag() {
+  if (drag_.state() == SpinDrag::State::free) return;
+  clock_.pause(drag_.wasPaused());
+  drag_.end();
+  if (!preview_) return;
+  preview_.reset();
+  listener_.previewEnded();
+}
+
+void Session::choose(const HandleEvent& event) {
+  const Body& body = *bodies_[indexOf(playing_.scene, event.body)];
+  endDrag();
+  const PrincipalInertia& inertia = body.motion().setup().inertia;
+  const Eigen::Vector3d omega = inertia.toPrincipal(body.state().omega_body);
+  if (omega.isZero(0)) throw scene::Error("spin of " + event.body + ": " + kRestsText);
+  Eigen::Vector3d chosen;
+  if (event.kind == HandleEvent::Kind::axis) {
+    chosen = view::axisSpin(inertia.moments(), omega, keep_, event.axis);
+  } else if (event.kind == HandleEvent::Kind::near) {
+    chosen = view::nearAxis(inertia.moments(), omega, keep_, event.axis);
+  } else {
+    try {
+      chosen = view::onSeparatrix(inertia.moments(), omega, keep_);
+    } catch (const std::invalid_argument& error) {
+      throw scene::Error("spin of " + event.body + ": " + error.what() + "; allowed: spins about or near an axis");
+    }
+  }
+  ask(SetSpin{event.body, inertia.toBody(chosen)});
+}
+
+}  // namespace poinsot::session

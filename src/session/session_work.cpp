@@ -1,0 +1,259 @@
+// What is worked out: from requests that change bodies to the bodies that play.
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "limits.h"
+#include "poinsot/scene/reader.h"
+#include "poinsot/session/session.h"
+
+namespace poinsot::session {
+namespace {
+
+/** Takes no longer than a tick may: needs neither a file nor trials of a step. */
+bool isQuick(const Request& request) {
+  return !std::holds_alternative<LoadScene>(request) && !std::holds_alternative<SetMethod>(request);
+}
+
+}  // namespace
+
+bool Session::loading() const {
+  return (draft_ && draft_->all) || std::any_of(queue_.begin(), queue_.end(), [](const Waiting& one) {
+           return std::holds_alternative<LoadScene>(one.asked.request);
+         });
+}
+
+Draft Session::present() const {
+  Draft out;
+  out.scene = playing_.scene;
+  out.start_scene = start_scene_;
+  out.name = playing_.name;
+  out.file = playing_.file;
+  return out;
+}
+
+void Session::enqueue(const Request& request, const Reply& reply) {
+  Waiting one{{request, clock_.comingTime(), {}}, reply};
+  try {
+    if (auto* load = std::get_if<LoadScene>(&one.asked.request)) {
+      if (load->scene.empty()) load->scene = playing_.file;
+      if (load->scene.empty()) throw scene::Error("the present scene came without a file; allowed: a name or a path");
+    } else if (loading()) {
+      throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+    } else if (const auto* spin = std::get_if<SetSpin>(&request)) {
+      one.asked.state = bodies_[indexOf(playing_.scene, spin->body)]->state();
+    }
+  } catch (const std::exception& error) {
+    const Answer answer = refuse(request, error.what());
+    if (reply) reply(answer);
+    return;
+  }
+  queue_.push_back(std::move(one));
+  startNext();
+}
+
+void Session::serve(Nanoseconds now) {
+  takeOutcome();
+  startNext();
+  if (!drag_.isForgotten(now)) return;
+  listener_.handIsGone(drag_.body());
+  endDrag();
+}
+
+void Session::startNext() {
+  if (!queue_.empty() && work_.kind != Work::Kind::preparing) {
+    if (std::all_of(queue_.begin(), queue_.end(), [](const Waiting& one) { return isQuick(one.asked.request); })) {
+      std::vector<Asked> asked;
+      for (const Waiting& one : queue_) asked.push_back(one.asked);
+      takeAnswers(prepare(draft_ ? *draft_ : present(), asked, options_.read));
+    } else if (job_.busy()) {
+      dropWork();
+    } else {
+      startPreparing();
+    }
+  }
+  if (job_.busy()) return;
+  if (draft_) {
+    build();
+  } else if (seek_) {
+    startSeeking();
+  }
+}
+
+void Session::startPreparing() {
+  std::vector<Asked> asked;
+  for (const Waiting& one : queue_) asked.push_back(one.asked);
+  work_ = {Work::Kind::preparing, false};
+  job_.start([draft = draft_ ? *draft_ : present(), asked, read = options_.read](const std::atomic<bool>&) {
+    return Outcome(prepare(draft, asked, read));
+  });
+}
+
+void Session::build() {
+  const Redraw redraw = draft_->all || draft_->redraw ? Redraw::always : Redraw::where_it_has_to_be;
+  BuildOrder order = wholeScene(draft_->scene, options_.rate, options_.companions(bodies_, redraw));
+  if (!draft_->all) order.bodies.assign(draft_->bodies.begin(), draft_->bodies.end());
+  order.time = comingTime();
+  work_ = {Work::Kind::building, false};
+  job_.start([order = std::move(order)](const std::atomic<bool>& cancelled) {
+    return Outcome(session::build(order, cancelled));
+  });
+}
+
+void Session::startSeeking() {
+  std::vector<Motion> motions;
+  for (const auto& body : bodies_) motions.push_back(body->motion());
+  work_ = {Work::Kind::seeking, false};
+  job_.start([motions = std::move(motions), time = *seek_](const std::atomic<bool>& cancelled) {
+    return Outcome(advanced(motions, time, cancelled));
+  });
+}
+
+double Session::comingTime() const {
+  return draft_->from_start ? 0 : clock_.comingTime();
+}
+
+void Session::dropWork() {
+  if (!job_.busy()) return;
+  work_.stale = true;
+  job_.cancel();
+}
+
+void Session::stopSeeking() {
+  seek_.reset();
+  if (work_.kind == Work::Kind::seeking) dropWork();
+}
+
+void Session::takeAnswers(Prepared&& prepared) {
+  const std::size_t count = prepared.answers.size();
+  const std::vector<Waiting> asked(std::make_move_iterator(queue_.begin()),
+                                   std::make_move_iterator(queue_.begin() + static_cast<std::ptrdiff_t>(count)));
+  queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
+  bool changed = false;
+  for (const Answer& answer : prepared.answers) {
+    if (answer.refusal) {
+      refuse(*answer.refusal);
+    } else {
+      changed = true;
+      for (const std::string& warning : answer.warnings) listener_.warned(warning);
+    }
+  }
+  std::optional<double> sought;  // that nothing which begins at t = 0 would undo
+  if (!prepared.draft.from_start) sought = std::exchange(prepared.draft.seek, std::nullopt);
+  if (changed && !prepared.draft.requests.empty()) {
+    if (prepared.draft.all) endDrag();
+    if (prepared.draft.from_start) seek_.reset();
+    draft_ = std::move(prepared.draft);
+    dropWork();
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (asked[k].reply) asked[k].reply(prepared.answers[k]);
+  }
+  if (sought) seek(*sought);
+}
+
+void Session::takeOutcome() {
+  std::optional<Outcome> outcome;
+  std::string problem;
+  try {
+    outcome = job_.poll();
+    if (!outcome) return;
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  const Work done = std::exchange(work_, {});
+  if (done.stale) return;
+  switch (done.kind) {
+    case Work::Kind::preparing:
+      if (outcome) takeAnswers(std::get<Prepared>(std::move(*outcome)));
+      return;
+    case Work::Kind::building:
+      if (outcome) {
+        takeBuilt(std::get<Built>(std::move(*outcome)));
+      } else {
+        Refusal refusal;
+        refusal.reason = Reason::cannot_be_made;
+        refusal.detail = problem;
+        giveUpDraft(std::move(refusal));
+      }
+      return;
+    case Work::Kind::seeking: {
+      const double time = *std::exchange(seek_, std::nullopt);
+      if (outcome) {
+        Advanced& there = std::get<Advanced>(*outcome);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(there.motions[i]));
+        jumpTo(time);
+      } else {
+        Refusal refusal;
+        refusal.reason = Reason::no_state;
+        refusal.requests = {Seek{time}};
+        refusal.detail = problem;
+        refuse(std::move(refusal));
+      }
+      return;
+    }
+    case Work::Kind::none:
+      return;
+  }
+}
+
+void Session::takeBuilt(Built&& built) {
+  if (std::optional<Refusal> refusal = tooCostly(built)) {
+    giveUpDraft(std::move(*refusal));
+    return;
+  }
+  // t has gone on meanwhile, and may have been sent far away.
+  double steps = 0;
+  for (const auto& body : built.bodies) steps += body->motion().stepsTo(comingTime());
+  if (steps <= kMostTickSteps) {
+    exchange(std::move(built));
+    return;
+  }
+  work_ = {Work::Kind::building, false};
+  job_.start([built = std::make_shared<Built>(std::move(built)), time = comingTime()](const std::atomic<bool>& cancelled) {
+    advance(*built, time, cancelled);
+    return Outcome(std::move(*built));
+  });
+}
+
+void Session::giveUpDraft(Refusal refusal) {
+  const Draft draft = *std::exchange(draft_, std::nullopt);
+  if (draft.reset) clock_.jumpTo(0);
+  if (draft.seek) seek(*draft.seek);
+  refusal.requests = draft.requests;
+  refuse(std::move(refusal));
+  endDrag();
+}
+
+void Session::exchange(Built&& built) {
+  for (const std::string& choice : built.choices) listener_.chose(choice);
+  const Draft draft = *std::exchange(draft_, std::nullopt);
+  const double time = draft.from_start ? 0 : clock_.comingTime();
+  if (draft.all) {
+    bodies_ = std::move(built.bodies);
+  } else {
+    for (std::size_t k = 0; k < built.indices.size(); ++k) {
+      built.bodies[k]->stand(time);
+      bodies_[built.indices[k]] = std::move(built.bodies[k]);
+    }
+  }
+  playing_ = {std::move(built.scene), draft.name, draft.file};
+  start_scene_ = draft.start_scene;
+  if (draft.from_start) {
+    clock_.jumpTo(0);
+    seek_ = draft.seek;
+  } else {
+    clock_.beginSegment();
+  }
+  refusal_.reset();
+  if (drag_.state() != SpinDrag::State::free) {
+    clock_.pause(drag_.wasPaused());
+    drag_.end();
+    preview_.reset();
+  }
+  listener_.bodiesChanged(draft.all);
+  if (seek_) seek(*seek_);  // with what moves now
+}
+
+}  // namespace poinsot::session
