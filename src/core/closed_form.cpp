@@ -7,9 +7,10 @@
 
 #include "closed_form/levels.h"
 #include "closed_form/wide.h"
-#include "messages.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/pi.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
@@ -23,19 +24,19 @@ closed_form::Start checked(const Eigen::Vector3d& moments, const Quaternion& q, 
   PrincipalInertia::fromMoments(moments);
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(omega[i])) {
-      refuse("component " + std::to_string(i + 1) + " of the angular velocity is " + shown(omega[i]) +
+      refuse("component " + std::to_string(i + 1) + " of the angular velocity is " + numberText(omega[i], 17) +
              "; it must be finite (rad/s)");
     }
   }
   if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
-    refuse("the attitude is [" + shown(q.w()) + ", " + shown(q.x()) + ", " + shown(q.y()) + ", " + shown(q.z()) +
-           "]; it must be a finite quaternion (w, x, y, z) other than zero");
+    refuse("the attitude is [" + numberText(q.w(), 17) + ", " + numberText(q.x(), 17) + ", " + numberText(q.y(), 17) +
+           ", " + numberText(q.z(), 17) + "]; it must be a finite quaternion (w, x, y, z) other than zero");
   }
   return {{moments[0], moments[1], moments[2]}, {omega[0], omega[1], omega[2]}, {q.w(), q.x(), q.y(), q.z()}};
 }
 
 void checkTime(const char* what, double t) {
-  if (!std::isfinite(t)) refuse(std::string(what) + " is " + shown(t) + "; it must be finite (s)");
+  if (!std::isfinite(t)) refuse(std::string(what) + " is " + numberText(t, 17) + "; it must be finite (s)");
 }
 
 }  // namespace

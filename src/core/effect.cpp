@@ -1,13 +1,11 @@
 #include "poinsot/core/effect.h"
 
-#include <cstdio>
+#include "poinsot/core/number_text.h"
 
 namespace poinsot {
 
 std::string effects::text(double value) {
-  char out[32];
-  std::snprintf(out, sizeof out, "%.17g", value);
-  return out;
+  return numberText(value, 17);
 }
 
 std::string effects::text(const Eigen::Vector3d& v) {

@@ -1,10 +1,12 @@
 #include "poinsot/core/inertia.h"
 
+#include "poinsot/core/number_text.h"
+
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
-#include "messages.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
@@ -17,7 +19,7 @@ constexpr double kSmallestMomentRatio = 1e-14;
 PrincipalInertia PrincipalInertia::fromMoments(const Eigen::Vector3d& moments) {
   for (int i = 0; i < 3; ++i) {
     if (!(moments[i] > 0) || !std::isfinite(moments[i])) {
-      refuse("moment " + std::to_string(i + 1) + " is " + shown(moments[i]) +
+      refuse("moment " + std::to_string(i + 1) + " is " + numberText(moments[i], 17) +
              "; a principal moment of inertia must be positive and finite (kg·m²)");
     }
   }
@@ -31,7 +33,7 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
     for (int j = i + 1; j < 3; ++j) {
       if (std::abs(tensor(i, j) - tensor(j, i)) > kSymmetryTolerance * largest) {
         refuse("the inertia tensor is not symmetric: entry (" + std::to_string(i + 1) + "," + std::to_string(j + 1) +
-               ") is " + shown(tensor(i, j)) + ", its mirror image " + shown(tensor(j, i)));
+               ") is " + numberText(tensor(i, j), 17) + ", its mirror image " + numberText(tensor(j, i), 17));
       }
     }
   }
@@ -44,8 +46,8 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
   const Eigen::Vector3d& ratios = solver.eigenvalues();
   if (!(ratios[0] > kSmallestMomentRatio * ratios[2])) {
     refuse(std::string("the inertia tensor is not positive definite") + (ratios[0] > 0 ? " beyond roundoff" : "") +
-           ": its principal moments are " + shown(ratios[0] * largest) + ", " + shown(ratios[1] * largest) + ", " +
-           shown(ratios[2] * largest) + " kg·m²");
+           ": its principal moments are " + numberText(ratios[0] * largest, 17) + ", " +
+           numberText(ratios[1] * largest, 17) + ", " + numberText(ratios[2] * largest, 17) + " kg·m²");
   }
   Eigen::Matrix3d vectors = solver.eigenvectors();
   if (vectors.determinant() < 0) vectors.col(0) = -vectors.col(0);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "number_text.h"
 #include "poinsot/core/no_convergence.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
 #include "poinsot/core/stepper.h"
@@ -223,17 +223,19 @@ class Search {
     std::string why = "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones";
     if (wish_.candidates.size() == 1) why = wish_.candidates.front();
     why += wish_.candidates.size() == 1 ? " does not keep to " : " keeps to ";
-    why += shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) + " s on this body";
+    why += numberText(wish_.accuracy, 3) + " rad for " + numberText(wish_.horizon, 3) + " s on this body";
     if (wish_.accuracy < kClosedFormError) {
-      why += ": nothing is verified beyond the " + shown(kClosedFormError) + " rad to which the closed form is known";
+      why += ": nothing is verified beyond the " + numberText(kClosedFormError, 3) +
+             " rad to which the closed form is known";
     } else if (wish_.accuracy < kLeastVerified && nearest_.error == kInfinite) {
-      why += ": steppers are verified by the closed form, which is known to " + shown(kClosedFormError) + " rad itself";
+      why += ": steppers are verified by the closed form, which is known to " + numberText(kClosedFormError, 3) +
+             " rad itself";
     } else if (!(nearest_.error < 0.1)) {
       why += ", nor comes near";
-      if (nearest_.steps_ran_out) why += " within " + shown(kMostSteps) + " steps";
+      if (nearest_.steps_ran_out) why += " within " + numberText(kMostSteps, 3) + " steps";
     } else {
-      why += ": " + nearest_.method + " comes nearest with about " + shown(nearest_.error) + " rad, and then " +
-             (nearest_.steps_ran_out ? "takes more than " + shown(kMostSteps) + " steps to be tried"
+      why += ": " + nearest_.method + " comes nearest with about " + numberText(nearest_.error, 3) + " rad, and then " +
+             (nearest_.steps_ran_out ? "takes more than " + numberText(kMostSteps, 3) + " steps to be tried"
                                      : "rounding is in the way");
     }
     throw Unreachable(why);

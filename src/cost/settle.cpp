@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "number_text.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/torque_choice.h"
@@ -15,22 +15,22 @@ namespace {
 std::string sentence(const scene::Body& body, const Choice& choice) {
   const scene::Accuracy& wish = *body.accuracy;
   std::string out = body.name + ": " + choice.method;
-  if (choice.step) out += " with a step of " + shown(*choice.step, "%.6g") + " s";
-  out += " for an accuracy of " + shown(wish.error) + " rad over " + shown(wish.horizon) + " s; estimated error " +
-         shown(choice.estimated_error) + " rad, ";
+  if (choice.step) out += " with a step of " + numberText(*choice.step, 6) + " s";
+  out += " for an accuracy of " + numberText(wish.error, 3) + " rad over " + numberText(wish.horizon, 3) +
+         " s; estimated error " + numberText(choice.estimated_error, 3) + " rad, ";
   if (!body.effects.empty()) {
-    out += "verified by step refinement " + shown(choice.verified_error) + " rad";
+    out += "verified by step refinement " + numberText(choice.verified_error, 3) + " rad";
     if (!std::isfinite(choice.verified_error)) {
       return out.substr(0, out.rfind("; ")) +
-             "; not verified: that takes too many steps, or the motion is lost; cost " + shown(choice.cost) +
+             "; not verified: that takes too many steps, or the motion is lost; cost " + numberText(choice.cost, 3) +
              " CPU s per simulated s";
     }
     if (choice.verified_error > wish.error) out += ", which is as near as doubles come: the motion is that sensitive";
   } else {
-    out += choice.step ? "verified by the closed form " + shown(choice.verified_error) + " rad"
+    out += choice.step ? "verified by the closed form " + numberText(choice.verified_error, 3) + " rad"
                        : "held to by references of 60 digits";
   }
-  return out + "; cost " + shown(choice.cost) + " CPU s per simulated s";
+  return out + "; cost " + numberText(choice.cost, 3) + " CPU s per simulated s";
 }
 
 /** To the accuracy, or, where that is out of reach, as near to it as doubles come. */
@@ -60,9 +60,10 @@ std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const s
       body.step = choice.step;
       out.push_back(sentence(body, choice));
     } catch (const Unreachable& error) {
-      throw scene::Error(
-          wish.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
-          (body.effects.empty() ? ", or no method, which is closed_form and reaches " + shown(kClosedFormError) : ""));
+      throw scene::Error(wish.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
+                         (body.effects.empty()
+                              ? ", or no method, which is closed_form and reaches " + numberText(kClosedFormError, 3)
+                              : ""));
     }
   }
   return out;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "number_text.h"
 #include "poinsot/core/no_convergence.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/torque_stepper.h"
 
@@ -45,12 +45,13 @@ class Search {
   Choice cheapest() {
     findTruth();
     if (truth_.empty()) {
-      throw Unreachable("a reference would take more than " + shown(kMostSteps) + " steps for " + shown(wish_.horizon) +
-                        " s, or loses the motion, so that " + shown(wish_.accuracy) + " rad cannot be verified");
+      throw Unreachable("a reference would take more than " + numberText(kMostSteps, 3) + " steps for " +
+                        numberText(wish_.horizon, 3) + " s, or loses the motion, so that " +
+                        numberText(wish_.accuracy, 3) + " rad cannot be verified");
     }
     if (!(agreement_ <= kAgreeAtWorst * wish_.accuracy)) {
-      throw Unreachable("two references differ by " + shown(agreement_) + " rad within " + shown(wish_.horizon) +
-                        " s, so that " + shown(wish_.accuracy) +
+      throw Unreachable("two references differ by " + numberText(agreement_, 3) + " rad within " +
+                        numberText(wish_.horizon, 3) + " s, so that " + numberText(wish_.accuracy, 3) +
                         " rad cannot be verified: rounding is in the way, or the motion is that sensitive");
     }
     for (const std::string& name : wish_.candidates) {
@@ -61,11 +62,11 @@ class Search {
       const std::string who =
           one ? wish_.candidates.front() + " does not keep to "
               : "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones keeps to ";
-      throw Unreachable(who + shown(wish_.accuracy) + " rad for " + shown(wish_.horizon) + " s on this body" +
-                        (nearest_error_ < 1
-                             ? ": " + nearest_method_ + " comes nearest with about " + shown(nearest_error_) +
-                                   " rad in up to " + shown(kMostSteps) + " steps"
-                             : ", nor comes near in up to " + shown(kMostSteps) + " steps"));
+      throw Unreachable(
+          who + numberText(wish_.accuracy, 3) + " rad for " + numberText(wish_.horizon, 3) + " s on this body" +
+          (nearest_error_ < 1 ? ": " + nearest_method_ + " comes nearest with about " + numberText(nearest_error_, 3) +
+                                    " rad in up to " + numberText(kMostSteps, 3) + " steps"
+                              : ", nor comes near in up to " + numberText(kMostSteps, 3) + " steps"));
     }
     return best_;
   }
@@ -73,8 +74,8 @@ class Search {
   Choice mostExact() {
     findTruth();
     if (!(truth_step_ > 0) || wish_.horizon / truth_step_ > kMostStepsAtAll) {
-      throw Unreachable("this body moves so fast under its effects that " + shown(wish_.horizon) +
-                        " s of it take more than " + shown(kMostStepsAtAll) + " steps");
+      throw Unreachable("this body moves so fast under its effects that " + numberText(wish_.horizon, 3) +
+                        " s of it take more than " + numberText(kMostStepsAtAll, 3) + " steps");
     }
     return {kReferences[0], truth_step_, agreement_, agreement_, costOf(kReferences[0], truth_step_)};
   }

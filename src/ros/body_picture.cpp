@@ -41,7 +41,7 @@ constexpr double kFlipsDepth = 0.3;  // below the title
 constexpr float kSphereOverlay = 0.05f;
 constexpr Nanoseconds kFlipsPause = kSecond / 10;
 constexpr Nanoseconds kFiguresPause = kSecond / 4;  // a label that changed with every tick could not be read
-constexpr double kPointerLength = 0.4;    // of ω's pointer beyond the surface
+constexpr double kPointerLength = 0.4;              // of ω's pointer beyond the surface
 
 // A line lies this much outside the surface that it runs on, so as not to sink into it.
 constexpr double kSeparatrixLift = 1.004;
@@ -62,14 +62,14 @@ constexpr std::size_t kPathPiecesAtOnce = 16;
 constexpr double kPathTolerance = 0.002;  // m
 constexpr double kPathSpacing = 0.2;      // m, at most
 constexpr Nanoseconds kPathPause = kSecond / 4;
-constexpr int kPolhodePoints = 64;        // the middle of a chord of a circle of 1 m is 1 mm inside it
-constexpr int kSeparatrixPoints = 48;     // 2 mm
+constexpr int kPolhodePoints = 64;                 // the middle of a chord of a circle of 1 m is 1 mm inside it
+constexpr int kSeparatrixPoints = 48;              // 2 mm
 constexpr Nanoseconds kCurvesPause = kSecond / 4;  // a curve that changes is sent that often at least,
-constexpr double kCurvesChange = 0.002;   // and as soon as a semi-axis has changed by so much, relatively
-constexpr double kLeastPicture = 0.002;   // m: a body nearly at rest has no ellipsoids to look at
-constexpr double kLeastMomentum = 0.005;  // m, of L's arrow
-constexpr double kDeepestTitle = 1.9;     // m: below it, the picture would become small
-constexpr double kLeastStandIn = 0.3;     // m, half a diagonal of a heavy body's box
+constexpr double kCurvesChange = 0.002;            // and as soon as a semi-axis has changed by so much, relatively
+constexpr double kLeastPicture = 0.002;            // m: a body nearly at rest has no ellipsoids to look at
+constexpr double kLeastMomentum = 0.005;           // m, of L's arrow
+constexpr double kDeepestTitle = 1.9;              // m: below it, the picture would become small
+constexpr double kLeastStandIn = 0.3;              // m, half a diagonal of a heavy body's box
 
 constexpr double kBesideArrow = 0.24;  // m
 constexpr double kBesideTorque = 0.25;
@@ -117,7 +117,7 @@ double beadSymbolDepth(const Eigen::Quaterniond& principal_to_world, double metr
   return depth;
 }
 
-std::string shown(const char* format, double value) {
+std::string formatted(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
@@ -125,18 +125,18 @@ std::string shown(const char* format, double value) {
 
 std::string flipsInWords(const view::Flips& flips, bool only_one) {
   const bool next = std::isfinite(flips.to_next);
-  const std::string when = next ? shown("in %.1f s", flips.to_next) : "";
+  const std::string when = next ? formatted("in %.1f s", flips.to_next) : "";
   if (only_one)
     return next ? "its only flip " + when : flips.since_start != 0 ? "flip 1, its only one" : "no flip to come";
   const std::string next_words = next ? "next flip " + when : "";
   if (flips.since_start == 0) return next_words;
-  return shown("flip %.0f", static_cast<double>(flips.since_start)) + ", next " + when;
+  return formatted("flip %.0f", static_cast<double>(flips.since_start)) + ", next " + when;
 }
 
 std::string methodOf(const MotionSetup& setup) {
   if (!setup.step) return setup.method;
   return setup.method +
-         (*setup.step < 1 ? shown(", step %.3g ms", 1e3 * *setup.step) : shown(", step %.3g s", *setup.step));
+         (*setup.step < 1 ? formatted(", step %.3g ms", 1e3 * *setup.step) : formatted(", step %.3g s", *setup.step));
 }
 
 view::Trail trailOf(const Motion& motion, const view::Polhode& polhode, double metres_per_radian_per_second) {
@@ -243,22 +243,21 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
   path_rides_ = std::all_of(body.effects.begin(), body.effects.end(), is_inside);
   if (!keep) {
-    frame_.layout =
-        view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_, omega_principal_,
-                       inertia_.toPrincipal(frame_.reach.omega_later));
+    frame_.layout = view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
+                                   omega_principal_, inertia_.toPrincipal(frame_.reach.omega_later));
     frame_.title_depth = titleDepth(radius);
   }
   if (torqued_) {
-    effects_.emplace(
-        brush_, motion,
-        EffectMarkers::Sizes{shape_.boundingRadius(), radius, frame_.reach.torque, frame_.scale.metres_per_angular_momentum});
+    effects_.emplace(brush_, motion,
+                     EffectMarkers::Sizes{shape_.boundingRadius(), radius, frame_.reach.torque,
+                                          frame_.scale.metres_per_angular_momentum});
   }
 }
 
 double BodyPicture::titleDepth(double body_radius) const {
-  return std::max(
-      {kTitleDepth, body_radius + 0.3, effects_ ? std::min(effects_->depth(), kDeepestTitle) : 0,
-       beadSymbolDepth(frame_.layout.model_orientation * inertia_.axes(), frame_.scale.metres_per_radian_per_second, polhode_)});
+  return std::max({kTitleDepth, body_radius + 0.3, effects_ ? std::min(effects_->depth(), kDeepestTitle) : 0,
+                   beadSymbolDepth(frame_.layout.model_orientation * inertia_.axes(),
+                                   frame_.scale.metres_per_radian_per_second, polhode_)});
 }
 
 void BodyPicture::appendStatic(MarkerArray& out) const {
@@ -372,11 +371,11 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   if (!due(figures_shown_, tick.stamp, kFiguresPause)) return;
   figures_shown_ = tick.stamp;
   // Under torques there is nothing to compare with, and the energy is meant to change.
-  const std::string what = torqued_ ? shown("\nenergy %.4g J", figures.kinetic_energy)
-                                    : shown("\nattitude error %.1e rad", figures.attitude_error) +
-                                          shown("\nenergy drift %+.1e", figures.energy_drift);
+  const std::string what = torqued_ ? formatted("\nenergy %.4g J", figures.kinetic_energy)
+                                    : formatted("\nattitude error %.1e rad", figures.attitude_error) +
+                                          formatted("\nenergy drift %+.1e", figures.energy_drift);
   const std::string words = method_ + what +
-                            (std::isnan(figures.cost) ? "" : shown("\ncost %.3g us per s", 1e6 * figures.cost)) +
+                            (std::isnan(figures.cost) ? "" : formatted("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
   stage_.withdrawOne(brush_.ns(kFlips), kFlips, out);
   const auto lines = 1 + std::count(words.begin(), words.end(), '\n');
@@ -505,10 +504,10 @@ void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const 
   bead.scale = toVector3(Eigen::Vector3d::Constant(kBeadDiameter));
   bead.color = palette::omega();
   out.markers.push_back(bead);
-  Marker bead_symbol =
-      brush_.text(kModelOmegaSymbol, model,
-                  in_model + frame_.layout.model_orientation.conjugate() * besideBead(frame_.layout.model_orientation * in_model),
-                  "\xCE\xA9", kSymbolHeight);
+  Marker bead_symbol = brush_.text(
+      kModelOmegaSymbol, model,
+      in_model + frame_.layout.model_orientation.conjugate() * besideBead(frame_.layout.model_orientation * in_model),
+      "\xCE\xA9", kSymbolHeight);
   bead_symbol.color = palette::omega();
   out.markers.push_back(bead_symbol);
 }

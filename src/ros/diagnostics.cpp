@@ -1,6 +1,6 @@
 #include "poinsot/ros/diagnostics.h"
 
-#include "poinsot/ros/number_text.h"
+#include "poinsot/core/number_text.h"
 
 namespace poinsot::node {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-constexpr double kAstray = 0.1;      // rad from the truth: a warning
+constexpr double kAstray = 0.1;     // rad from the truth: a warning
 constexpr double kLateShare = 0.9;  // of the rate that was asked for: below, a warning
 
 }  // namespace
@@ -32,11 +32,11 @@ void Diagnostics::bodiesChanged() {
 
 void Diagnostics::tell(const session::Body& body, DiagnosticStatusWrapper& status) const {
   const MotionSetup& setup = body.motion().setup();
-  const std::string step = setup.step ? ", step " + shown(*setup.step) + " s" : "";
+  const std::string step = setup.step ? ", step " + numberText(*setup.step) + " s" : "";
   const double error = body.attitudeError();
   const bool astray = error > kAstray;
   status.summary(astray ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                 setup.method + step + (astray ? ": " + shown(error) + " rad astray" : ""));
+                 setup.method + step + (astray ? ": " + numberText(error) + " rad astray" : ""));
   status.addf("simulation time [s]", "%.9g", body.state().time);
   if (!body.motion().torques()) status.addf("attitude error [rad]", "%.3g", error);
   status.addf("energy [J]", "%.6g", body.state().kinetic_energy);

@@ -7,12 +7,12 @@
 
 #include <utility>
 
+#include "poinsot/core/number_text.h"
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/names.h"
-#include "poinsot/ros/number_text.h"
 #include "poinsot/ros/scene_list.h"
 #include "poinsot/ros/session_text.h"
 #include "poinsot/ros/status_message.h"
@@ -22,7 +22,6 @@ namespace poinsot::node {
 namespace {
 
 constexpr int kControlQueue = 100;
-constexpr double kMostLoad = 0.8;  // of one core, for the steps of a scene
 constexpr std::chrono::seconds kPatience{1};  // with a job that was told to end
 const ros::WallDuration kPatienceForClock(3);
 const ros::WallDuration kStatusPause(0.1);
@@ -74,10 +73,11 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   const session::NamedScene scene{built.scene, sceneName(parameters.scene_file), parameters.scene_file};
   session::Listener& listener = *this;
   session_ = std::make_unique<session::Session>(options, scene, std::move(built), job_, listener);
-  if (session_->steppingCost() > kMostLoad) {
-    throw ParameterError("the steps of this scene cost " + shown(session_->steppingCost()) +
+  if (session_->steppingCost() > session::kMostLoad) {
+    throw ParameterError("the steps of this scene cost " + numberText(session_->steppingCost()) +
                          " CPU s per simulated s here, which cannot be played in real time; at most " +
-                         shown(kMostLoad) + " can: take larger steps, or " + kClosedForm + ", which has none");
+                         numberText(session::kMostLoad) + " can: take larger steps, or " + kClosedForm +
+                         ", which has none");
   }
 
   ros::NodeHandle own(private_handle);

@@ -125,8 +125,8 @@ void SceneTopics::publishMarkers(const Session& session, const session::Tick& ti
   const auto& bodies = session.bodies();
   const bool watched = markers_.getNumSubscribers() > 0;
   if (watched) {
-    const bool some_body_steps = std::any_of(bodies.begin(), bodies.end(),
-                                             [](const auto& body) { return !body->motion().inClosedForm(); });
+    const bool some_body_steps =
+        std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body->motion().inClosedForm(); });
     MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const session::Body& body = session.drawn(i);

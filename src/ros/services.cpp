@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "poinsot/core/number_text.h"
 #include "poinsot/ros/names.h"
-#include "poinsot/ros/number_text.h"
 #include "poinsot/ros/session_text.h"
 
 namespace poinsot::node {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{50};  // at whether the node ends
-constexpr std::chrono::seconds kAnswerPatience{60};           // far longer than the largest scene takes to be read
+constexpr std::chrono::seconds kAnswerPatience{60};     // far longer than the largest scene takes to be read
 
 /** One request in the session's queue. */
 class Posted : public ros::CallbackInterface {
@@ -68,7 +68,7 @@ session::Answer Services::answerTo(const session::Request& request) {
   while (answer.wait_for(kBetweenLooks) != std::future_status::ready) {
     if (ended_ || interrupted_) throw std::runtime_error("the node is ending");
     if (std::chrono::steady_clock::now() > end) {
-      throw std::runtime_error("no answer within " + shown(static_cast<double>(kAnswerPatience.count())) +
+      throw std::runtime_error("no answer within " + numberText(static_cast<double>(kAnswerPatience.count())) +
                                " s; what was asked for is still being worked on");
     }
   }
@@ -96,28 +96,27 @@ bool Services::onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::R
 
 bool Services::onStep(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   return respond(session::Step{}, response,
-                 [&](const session::Answer&) { return "advancing by " + shown(1 / rate_) + " s"; });
+                 [&](const session::Answer&) { return "advancing by " + numberText(1 / rate_) + " s"; });
 }
 
 bool Services::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   return respond(session::Reset{}, response, [](const session::Answer& answer) {
-    return answer.spins                ? "going back to t = 0 and the scene's own spins"
+    return answer.spins               ? "going back to t = 0 and the scene's own spins"
            : answer.in_the_background ? "going back to t = 0"
-                                       : "back to t = 0";
+                                      : "back to t = 0";
   });
 }
 
 bool Services::onLoadScene(LoadScene::Request& request, LoadScene::Response& response) {
-  return respond(session::LoadScene{request.scene}, response, [](const session::Answer& answer) {
-    return "scene " + answer.scene + " is being made ready";
-  });
+  return respond(session::LoadScene{request.scene}, response,
+                 [](const session::Answer& answer) { return "scene " + answer.scene + " is being made ready"; });
 }
 
 bool Services::onSetMethod(SetMethod::Request& request, SetMethod::Response& response) {
   const std::optional<double> step = request.step == 0 ? std::nullopt : std::make_optional(request.step);
   return respond(session::SetMethod{request.body, request.method, step}, response, [&](const session::Answer& answer) {
     std::string out = request.body + ": " + answer.method;
-    if (answer.step) out += " with a step of " + shown(*answer.step) + " s";
+    if (answer.step) out += " with a step of " + numberText(*answer.step) + " s";
     for (const std::string& warning : answer.warnings) out += "; " + warning;
     return out;
   });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "poinsot/ros/number_text.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/ros/scene_list.h"
 
 namespace poinsot::node {
@@ -41,23 +41,24 @@ std::string textOf(const session::Refusal& refusal) {
   const auto* seek = std::get_if<session::Seek>(&refusal.requests.front());
   switch (refusal.reason) {
     case Reason::not_finite:
-      if (speed) return "speed " + shown(speed->speed) + " refused: a finite number is allowed";
-      return "seek to " + shown(seek->time) + " refused: a finite time is allowed";
+      if (speed) return "speed " + numberText(speed->speed) + " refused: a finite number is allowed";
+      return "seek to " + numberText(seek->time) + " refused: a finite time is allowed";
     case Reason::too_fast:
       if (speed) {
-        return "speed " + shown(speed->speed) + " refused: the steps of this scene cost " + shown(refusal.figure) +
-               " CPU s per simulated s; up to " + shown(refusal.limit) + " is allowed here";
+        return "speed " + numberText(speed->speed) + " refused: the steps of this scene cost " +
+               numberText(refusal.figure) + " CPU s per simulated s; up to " + numberText(refusal.limit) +
+               " is allowed here";
       }
-      return textOf(refusal.requests) + " refused: its steps cost " + shown(refusal.figure) +
-             " CPU s per simulated s here, and at speed " + shown(refusal.speed) + " at most " + shown(refusal.limit) +
-             " is allowed: take larger steps or a lower speed";
+      return textOf(refusal.requests) + " refused: its steps cost " + numberText(refusal.figure) +
+             " CPU s per simulated s here, and at speed " + numberText(refusal.speed) + " at most " +
+             numberText(refusal.limit) + " is allowed: take larger steps or a lower speed";
     case Reason::too_many_steps:
-      return "seek to " + shown(seek->time) + " s refused: body " + refusal.body + " under " + refusal.method +
-             " would take " + shown(refusal.figure) + " steps of " + shown(refusal.step) + " s; at most " +
-             shown(refusal.limit) + " are allowed";
+      return "seek to " + numberText(seek->time) + " s refused: body " + refusal.body + " under " + refusal.method +
+             " would take " + numberText(refusal.figure) + " steps of " + numberText(refusal.step) + " s; at most " +
+             numberText(refusal.limit) + " are allowed";
     case Reason::no_state:
-      return "seek to " + shown(seek->time) + " s refused: " +
-             (refusal.body.empty() ? "" : "body " + refusal.body + ": ") + refusal.detail + " there";
+      return "seek to " + numberText(seek->time) +
+             " s refused: " + (refusal.body.empty() ? "" : "body " + refusal.body + ": ") + refusal.detail + " there";
     case Reason::not_paused:
       return "not paused: call ~pause with data: true first";
     case Reason::cannot_be_made:

@@ -22,9 +22,9 @@ using visualization_msgs::Marker;
 constexpr double kDiameter = 0.24;  // m: the point of Ω within is 0.1
 constexpr float kAlpha = 0.35f;
 constexpr int kMeridians = 12, kParallels = 6;
-constexpr std::size_t kMostHandles = 16;     // bodies beyond have none
-constexpr std::size_t kPlacedEachTick = 4;   // with more they are placed more rarely
-constexpr std::size_t kMostEvents = 1000;  // kept between two calls of take()
+constexpr std::size_t kMostHandles = 16;    // bodies beyond have none
+constexpr std::size_t kPlacedEachTick = 4;  // with more they are placed more rarely
+constexpr std::size_t kMostEvents = 1000;   // kept between two calls of take()
 
 /** Around what is drawn at Ω. Of a sixth of the triangles of RViz's own sphere, which software OpenGL feels. */
 Marker ball() {
@@ -103,7 +103,8 @@ SpinHandles::SpinHandles(const ros::NodeHandle& private_handle)
   showKept(view::Keep::energy);
 }
 
-MenuHandler::EntryHandle SpinHandles::entry(MenuHandler::EntryHandle parent, const std::string& title, const HandleEvent& event) {
+MenuHandler::EntryHandle SpinHandles::entry(MenuHandler::EntryHandle parent, const std::string& title,
+                                            const HandleEvent& event) {
   const auto out = menu_.insert(parent, title, [this](const Feedback& feedback) { add(feedback); });
   meaning_[out] = event;
   return out;

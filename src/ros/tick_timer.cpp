@@ -89,8 +89,8 @@ Punctuality TickTimer::takePunctuality() {
   Punctuality out;
   out.ticks = counted_.ticks;
   const double n = static_cast<double>(std::max<std::int64_t>(1, counted_.ticks));
-  out.rate = static_cast<double>(counted_.ticks) /
-             std::max(1e-9, std::chrono::duration<double>(now - counted_.since).count());
+  out.rate =
+      static_cast<double>(counted_.ticks) / std::max(1e-9, std::chrono::duration<double>(now - counted_.since).count());
   out.mean_lateness = counted_.sum / n;
   out.jitter = std::sqrt(std::max(0.0, counted_.sum_of_squares / n - out.mean_lateness * out.mean_lateness));
   out.worst = counted_.worst;

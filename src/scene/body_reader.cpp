@@ -55,7 +55,8 @@ void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::strin
     warnings.push_back(
         (inertia ? inertia : shape)
             ->message(
-                "the principal moments " + shownNumber(m[0]) + ", " + shownNumber(m[1]) + ", " + shownNumber(m[2]) +
+                "the principal moments " + numberText(m[0], 15) + ", " + numberText(m[1], 15) + ", " +
+                numberText(m[2], 15) +
                 " kg·m² are those of no real body (one exceeds the sum of the other two); simulated all the same"));
   }
 }
@@ -77,8 +78,8 @@ void movePivot(const Fields& fields, Body& body) {
     moved = true;
     const double mass = body.shape->mass();
     if (!(std::abs(weight->mass - mass) <= kSameMass * mass)) {
-      fields.find("effects")->refuse("the mass of gravity_torque, " + shownNumber(weight->mass) +
-                                         " kg, is not that of the shape, " + shownNumber(mass) + " kg",
+      fields.find("effects")->refuse("the mass of gravity_torque, " + numberText(weight->mass, 15) +
+                                         " kg, is not that of the shape, " + numberText(mass, 15) + " kg",
                                      "the same mass in both");
     }
     const Eigen::Vector3d& c = weight->centre_of_mass;

@@ -68,7 +68,7 @@ Body withMethod(Body body, const std::string& method, std::optional<double> step
   body.step.reset();
   if (method == kClosedForm) return body;
   if (step && !(*step > 0 && std::isfinite(*step))) {
-    refuse(body, "a step of " + shownNumber(*step), allowedNumber(quantity::kStep));
+    refuse(body, "a step of " + numberText(*step, 15), allowedNumber(quantity::kStep));
   }
   body.step = step ? *step : suitableStep(body);
   const StepVerdict verdict = verdictOnStep(body);

@@ -128,14 +128,15 @@ void readTorqueSchedule(const Fields& fields, Body& body) {
     read.axes = readFrame(segment);
     read.torque = requireVector(segment, "torque", quantity::kTorque);
     if (!(read.from < read.to)) {
-      segment.find("to")->refuse(shownNumber(read.to) + " s is not after from, " + shownNumber(read.from) + " s",
+      segment.find("to")->refuse(numberText(read.to, 15) + " s is not after from, " + numberText(read.from, 15) + " s",
                                  "a time after from");
     }
     for (const TorqueSchedule::Segment& other : out.segments) {
       if (read.from >= other.to || read.to <= other.from) continue;
       segment.find("from")->refuse(
-          "from " + shownNumber(read.from) + " to " + shownNumber(read.to) + " s overlaps another segment, from " +
-              shownNumber(other.from) + " to " + shownNumber(other.to) + " s",
+          "from " + numberText(read.from, 15) + " to " + numberText(read.to, 15) +
+              " s overlaps another segment, from " + numberText(other.from, 15) + " to " + numberText(other.to, 15) +
+              " s",
           "segments that do not overlap; a second torque_schedule for torques at the same time");
     }
     out.segments.push_back(read);

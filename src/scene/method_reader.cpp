@@ -85,8 +85,8 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOption
   Accuracy out;
   out.error = readNumber(place, quantity::kAngleError);
   if (!(out.error <= kLargestAccuracy)) {
-    place.refuse(shownNumber(out.error) + " is more than a wrong attitude can be told from a right one",
-                 "a positive number up to " + shownNumber(kLargestAccuracy) + " (rad)");
+    place.refuse(numberText(out.error, 15) + " is more than a wrong attitude can be told from a right one",
+                 "a positive number up to " + numberText(kLargestAccuracy, 15) + " (rad)");
   }
   out.horizon = readHorizon(fields, options);
   if (!method.empty() && method != kAnyStepper) {

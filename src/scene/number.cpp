@@ -132,12 +132,4 @@ Eigen::Quaterniond readRotation(const Place& place) {
   return Eigen::Quaterniond(scaled(0), scaled(1), scaled(2), scaled(3)).normalized();
 }
 
-std::string shownNumber(double value, int digits) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(digits);
-  out << value;
-  return out.str();
-}
-
 }  // namespace poinsot::scene

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "place.h"
+#include "poinsot/core/number_text.h"
 
 namespace poinsot::scene {
 
@@ -59,8 +60,5 @@ Eigen::Vector3d readVector(const Place& place, const Quantity& quantity);
 
 /** Four numbers w x y z, not all zero, of any length; normalised. */
 Eigen::Quaterniond readRotation(const Place& place);
-
-/** As a message shows a number. */
-std::string shownNumber(double value, int digits = 15);
 
 }  // namespace poinsot::scene

@@ -67,8 +67,8 @@ void warnOfFarBodies(const Place& bodies, Scene& scene) {
     const auto seen = static_cast<float>(distance);
     const double spacing = std::nextafter(seen, std::numeric_limits<float>::infinity()) - seen;
     scene.warnings.push_back(bodies.item(i).called(body.name).message(
-        "starts " + shownNumber(distance, 3) + " m from the origin of frame world, where the floats of RViz lie " +
-        shownNumber(spacing, 2) + " m apart, so that it is not seen there; better: a position near the origin, or " +
+        "starts " + numberText(distance, 3) + " m from the origin of frame world, where the floats of RViz lie " +
+        numberText(spacing, 2) + " m apart, so that it is not seen there; better: a position near the origin, or " +
         body.name + "_space as RViz's fixed frame"));
   }
 }

@@ -70,7 +70,7 @@ Assembly makeLShape(const Fields& f) {
   if (!(length_z > thickness)) {
     const Place place = *f.find("length_z");
     place.refuse(place.found() + " is not more than the thickness",
-                 "a finite number above the thickness " + shownNumber(thickness) + " (m)");
+                 "a finite number above the thickness " + numberText(thickness, 15) + " (m)");
   }
   return shapes::lShape(length(f, "length_x"), length_z, thickness, mass(f));
 }

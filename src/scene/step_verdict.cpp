@@ -29,11 +29,11 @@ StepVerdict verdictOnStep(const Body& body) {
   StepVerdict out;
   out.grade = judged.grade;
   if (judged.grade == StepJudgement::Grade::sound) return out;
-  out.problem = body.method + " with a step of " + shownNumber(*body.step) +
-                " s at |Omega| = " + shownNumber(body.omega_body.stableNorm(), 4) + " rad/s: " + judged.reason;
+  out.problem = body.method + " with a step of " + numberText(*body.step, 15) +
+                " s at |Omega| = " + numberText(body.omega_body.stableNorm(), 4) + " rad/s: " + judged.reason;
   if (judged.largest_sound > 0) {
     out.largest_sound = roundedDown(judged.largest_sound);
-    out.instead = "a step of at most " + shownNumber(out.largest_sound) + " s, or ";
+    out.instead = "a step of at most " + numberText(out.largest_sound, 15) + " s, or ";
   }
   out.instead += body.effects.empty() ? std::string(kClosedForm) + ", which has no step"
                                       : "no method and no step, which leaves the choice";

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "limits.h"
-#include "number_text.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/scene/changes.h"
 #include "poinsot/scene/reader.h"
 
@@ -120,8 +120,8 @@ Answer apply(const Asked& asked, Draft& draft, const ReadScene& read) {
 }
 
 std::string tooManySteps(const std::string& body, double time, double steps, double step) {
-  return "body \"" + body + "\": to t = " + shown(time) + " s there are " + shown(steps) + " steps of " + shown(step) +
-         " s; allowed: at most " + shown(kMostSteps) + ", nearer to t = 0";
+  return "body \"" + body + "\": to t = " + numberText(time) + " s there are " + numberText(steps) + " steps of " +
+         numberText(step) + " s; allowed: at most " + numberText(kMostSteps) + ", nearer to t = 0";
 }
 
 }  // namespace poinsot::session

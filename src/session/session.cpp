@@ -10,8 +10,7 @@
 namespace poinsot::session {
 namespace {
 
-constexpr double kMostLoad = 0.8;            // of one core, for what a speed may ask of the steppers
-constexpr double kCoarseShare = 0.1;         // of a tick: where doubles lie further apart, t is seen to jump
+constexpr double kCoarseShare = 0.1;        // of a tick: where doubles lie further apart, t is seen to jump
 constexpr double kBesideSeparatrix = 3e-7;  // k': some last bits of E and |L|²
 
 Refusal refusalOf(Reason reason, const Request& request) {

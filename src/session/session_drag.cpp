@@ -2,7 +2,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "number_text.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/scene/changes.h"
 #include "poinsot/scene/reader.h"
 #include "poinsot/session/session.h"
@@ -75,11 +75,11 @@ void Session::lead(const HandleEvent& event, Nanoseconds now, const std::optiona
     throw scene::Error("grip of " + event.body + ": a place in frame \"" + event.frame + "\"; allowed: frame " + frame);
   }
   if (body.state().omega_body.isZero(0)) throw scene::Error("grip of " + event.body + ": " + kRestsText);
-  const std::optional<Eigen::Vector3d> omega_body =
-      ledTo({body.motion().setup().inertia, body.state().omega_body, body.companion().frame(), keep_}, event.point, eye);
+  const std::optional<Eigen::Vector3d> omega_body = ledTo(
+      {body.motion().setup().inertia, body.state().omega_body, body.companion().frame(), keep_}, event.point, eye);
   if (!omega_body) {
-    throw scene::Error("grip of " + event.body + ": (" + shown(event.point.x()) + ", " + shown(event.point.y()) + ", " +
-                       shown(event.point.z()) +
+    throw scene::Error("grip of " + event.body + ": (" + numberText(event.point.x()) + ", " +
+                       numberText(event.point.y()) + ", " + numberText(event.point.z()) +
                        ") m is no place to lead Omega to; allowed: finite places off the centre");
   }
   press(body, now);

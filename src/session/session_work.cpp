@@ -211,10 +211,11 @@ void Session::takeBuilt(Built&& built) {
     return;
   }
   work_ = {Work::Kind::building, false};
-  job_.start([built = std::make_shared<Built>(std::move(built)), time = comingTime()](const std::atomic<bool>& cancelled) {
-    advance(*built, time, cancelled);
-    return Outcome(std::move(*built));
-  });
+  job_.start(
+      [built = std::make_shared<Built>(std::move(built)), time = comingTime()](const std::atomic<bool>& cancelled) {
+        advance(*built, time, cancelled);
+        return Outcome(std::move(*built));
+      });
 }
 
 void Session::giveUpDraft(Refusal refusal) {

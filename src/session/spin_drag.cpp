@@ -5,7 +5,7 @@
 namespace poinsot::session {
 namespace {
 
-constexpr double kClick = 0.005;                  // m: a hand that moves less has not led anything
+constexpr double kClick = 0.005;                 // m: a hand that moves less has not led anything
 constexpr Nanoseconds kForgotten = 3 * kSecond;  // a viewer that died lets go
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "csv_rows.h"
 #include "ledger_text.h"
 #include "output_file.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/cost/ledger.h"
 #include "poinsot/cost/settle.h"
 #include "poinsot/scene/motion_setup.h"
@@ -53,12 +54,6 @@ std::optional<double> readPositive(const CLI::App& app, const char* option, cons
   throw BadUse(std::string(option) + " is \"" + text + "\"; allowed: a positive finite number");
 }
 
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 /** @param given that --csv is there at all. */
 void checkFile(const Options& options, bool given) {
   if (given && options.csv.empty()) throw BadUse("--csv is empty; allowed: a file, or -");
@@ -71,13 +66,13 @@ void checkFile(const Options& options, bool given) {
 
 void checkSize(const scene::Scene& scene, double duration, double rate) {
   if (!(duration * rate <= kMost)) {
-    throw BadUse("--duration " + shown(duration) + " s at " + shown(rate) + " Hz gives " + shown(duration * rate) +
-                 " states; allowed: up to " + shown(kMost));
+    throw BadUse("--duration " + numberText(duration) + " s at " + numberText(rate) + " Hz gives " +
+                 numberText(duration * rate) + " states; allowed: up to " + numberText(kMost));
   }
   for (const scene::Body& body : scene.bodies) {
     if (!body.step || duration / *body.step <= kMost) continue;
-    throw BadUse("--duration " + shown(duration) + " s takes body " + body.name + " " + shown(duration / *body.step) +
-                 " steps; allowed: up to " + shown(kMost));
+    throw BadUse("--duration " + numberText(duration) + " s takes body " + body.name + " " +
+                 numberText(duration / *body.step) + " steps; allowed: up to " + numberText(kMost));
   }
 }
 
@@ -117,8 +112,8 @@ void run(const Options& options, const std::optional<double>& given_duration, co
   checkSize(scene, duration, rate);
 
   const bool csv_alone = options.csv == kStandardOutput;
-  std::string text = options.scene + ": " + shown(rate) + " states in a simulated second, measured over " +
-                     shown(duration) + " simulated s\n",
+  std::string text = options.scene + ": " + numberText(rate) + " states in a simulated second, measured over " +
+                     numberText(duration) + " simulated s\n",
               csv = tools::ledgerHeader();
   std::optional<OutputFile> file;  // before the work: where it cannot be written, nothing is to be measured
   if (!options.csv.empty() && !csv_alone) file.emplace(options.csv, OutputFile::Kind::any);

@@ -16,6 +16,7 @@
 #include "csv_rows.h"
 #include "output_file.h"
 #include "poinsot/core/motion.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/cost/settle.h"
 #include "poinsot/ros/scene_bag.h"
 #include "poinsot/scene/motion_setup.h"
@@ -72,12 +73,6 @@ double readPositive(const char* option, const std::string& text, const char* uni
   return value;
 }
 
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
 tools::MoreColumns readColumns(const Options& options) {
   try {
     return tools::readColumns(options.columns);
@@ -109,21 +104,22 @@ void checkSize(const Options& options, const scene::Scene& scene, double duratio
                const tools::SampleTimes& times) {
   const double rows = times.count() * static_cast<double>(scene.bodies.size());
   if (!(rows <= kMostRows)) {
-    throw BadUse("--duration " + shown(duration) + " s at " + shown(rate) + " Hz gives " + shown(rows) +
-                 " states; allowed: up to " + shown(kMostRows));
+    throw BadUse("--duration " + numberText(duration, 9) + " s at " + numberText(rate, 9) + " Hz gives " +
+                 numberText(rows, 9) + " states; allowed: up to " + numberText(kMostRows, 9));
   }
   if (!options.bag.empty() && duration > node::SceneBag::kLatest) {
-    throw BadUse("--duration " + shown(duration) + " s is more than stamps can hold; allowed with --bag: up to " +
-                 shown(node::SceneBag::kLatest) + " s");
+    throw BadUse("--duration " + numberText(duration, 9) +
+                 " s is more than stamps can hold; allowed with --bag: up to " +
+                 numberText(node::SceneBag::kLatest, 9) + " s");
   }
   if (!options.bag.empty() && rate > kFastestBag) {
-    throw BadUse("a rate of " + shown(rate) + " Hz is too fast for stamps; allowed with --bag: up to " +
-                 shown(kFastestBag) + " Hz");
+    throw BadUse("a rate of " + numberText(rate, 9) + " Hz is too fast for stamps; allowed with --bag: up to " +
+                 numberText(kFastestBag, 9) + " Hz");
   }
   for (const scene::Body& body : scene.bodies) {
     if (!body.step || duration / *body.step <= kMostSteps) continue;
-    throw BadUse("--duration " + shown(duration) + " s takes body " + body.name + " under " + body.method +
-                 " more than " + shown(kMostSteps) + " steps of " + shown(*body.step) + " s");
+    throw BadUse("--duration " + numberText(duration, 9) + " s takes body " + body.name + " under " + body.method +
+                 " more than " + numberText(kMostSteps, 9) + " steps of " + numberText(*body.step, 9) + " s");
   }
 }
 

@@ -9,6 +9,8 @@
 
 #include "poinsot/scene/motion_setup.h"
 
+#include "poinsot/core/number_text.h"
+
 namespace poinsot::tools {
 namespace {
 
@@ -22,11 +24,6 @@ char* print(char* begin, char* end, double value) {
 #else
   return begin + std::snprintf(begin, end - begin, "%.*g", kDigits, value);
 #endif
-}
-
-std::string shown(double value) {
-  char text[32];
-  return std::string(text, print(text, text + sizeof text, value));
 }
 
 template <std::size_t n>
@@ -56,7 +53,7 @@ class Run {
       if (judged_) worst_.add(t, motion_.attitudeError(state), energyDrift(state.invariants(), start_));
       return state;
     } catch (const std::runtime_error& error) {  // range_error, NoConvergence
-      throw std::runtime_error("body " + body_.name + " under " + body_.method + " at t = " + shown(t) +
+      throw std::runtime_error("body " + body_.name + " under " + body_.method + " at t = " + numberText(t, kDigits) +
                                " s: " + error.what());
     }
   }

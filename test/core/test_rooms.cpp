@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ TEST(Rooms, sceneIncludesNoRos) {
 }
 TEST(Rooms, costIncludesNoRos) {
   expectPure("cost", isRos);
+}
+TEST(Rooms, sessionIncludesNoRos) {
+  expectPure("session", isRos);
 }
 
 // Include paths do not hold a path that leads out of the room.
@@ -206,10 +210,39 @@ TEST(Rooms, publicHeadersNameNoTypeWhoseLayoutDependsOnFlags) {
   });
 }
 
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(fs::path(SOURCE_DIR) / file);
+  return std::string((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+}
+
 TEST(Rooms, coreLinksTheBoostThatItIncludes) {
-  std::ifstream in(fs::path(SOURCE_DIR) / "src/core/CMakeLists.txt");
-  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  EXPECT_TRUE(matches(text, R"(target_link_libraries\(poinsot_core[^)]*Boost::boost)"));
+  EXPECT_TRUE(matches(contentOf("src/core/CMakeLists.txt"), R"(target_link_libraries\(poinsot_core[^)]*Boost::boost)"));
+}
+
+/** "a b" for each room b that room a links, by the build. */
+std::set<std::string> linksOfTheBuild() {
+  std::set<std::string> out;
+  for (const auto& room : fs::directory_iterator(fs::path(SOURCE_DIR) / "src")) {
+    const std::string name = room.path().filename();
+    std::smatch call;
+    const std::string text = contentOf(fs::path("src") / name / "CMakeLists.txt");
+    if (!std::regex_search(text, call, std::regex("target_link_libraries\\(poinsot_" + name + "([^)]*)\\)"))) continue;
+    const std::string libraries = call[1];
+    const std::regex library(R"(poinsot_(\w+))");
+    for (std::sregex_iterator it(libraries.begin(), libraries.end(), library), end; it != end; ++it) {
+      out.insert(name + " " + (*it)[1].str());
+    }
+  }
+  return out;
+}
+
+TEST(Rooms, thePictureShowsWhatTheyLink) {
+  std::set<std::string> drawn;
+  const std::string picture = contentOf("doc/architecture_rooms.svg");
+  const std::regex arrow(R"x(data-links="([^"]+)")x");
+  for (std::sregex_iterator it(picture.begin(), picture.end(), arrow), end; it != end; ++it) drawn.insert((*it)[1]);
+  EXPECT_EQ(drawn.size(), 6U);
+  EXPECT_EQ(drawn, linksOfTheBuild()) << "doc/architecture_rooms.svg and the CMakeLists.txt of the rooms differ";
 }
 
 bool isRosLibrary(const std::string& name) {

@@ -119,8 +119,7 @@ class Played : public testing::Test {
       redraws.push_back(redraw);
       return [](const scene::Body&, const Motion&) { return std::make_unique<Frame>(); };
     };
-    Built built =
-        build(wholeScene(scene, options.rate, options.companions({}, Redraw::always)), cost::kNeverCancelled);
+    Built built = build(wholeScene(scene, options.rate, options.companions({}, Redraw::always)), cost::kNeverCancelled);
     const NamedScene named{built.scene, "first", "/first.yaml"};
     session = std::make_unique<Session>(options, named, std::move(built), job, heard);
     tick();

@@ -52,7 +52,7 @@ no_warning() { ! grep -B1 -A6 'CMake Warning' "$logs/catkin_make.log"; }
 check "without a warning from CMake" no_warning
 check "the neighbour runs" in_space "$devel" rosrun poinsot_neighbour spin
 
-targets=(run_tests_poinsot_neighbour run_tests_poinsot_gtest_test_simulation_clock
+targets=(run_tests_poinsot_neighbour run_tests_poinsot_gtest_test_session
   run_tests_poinsot_rostest_test_ros_control.test)
 [ "$full" = no ] || targets=(run_tests)
 run_tests() { in_space "$devel" catkin_make -j"$(nproc)" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${targets[@]}"; }

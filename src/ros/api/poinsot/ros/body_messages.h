@@ -26,7 +26,8 @@ void appendStaticTransforms(const names::Frames& frames, const view::Layout& lay
 /** @param cost CPU seconds per simulated second; NaN where it is not measured. */
 BodyState stateMessage(const session::MovingBody& body, const session::Tick& tick, double cost);
 
-nav_msgs::Odometry odometryMessage(const session::MovingBody& body, const std::string& frame, const session::Tick& tick);
+nav_msgs::Odometry odometryMessage(const session::MovingBody& body, const std::string& frame,
+                                   const session::Tick& tick);
 
 BodyDescription descriptionMessage(const session::MovingBody& body, const std::string& frame,
                                    const view::PictureScale& scale);

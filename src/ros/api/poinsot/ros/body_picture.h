@@ -99,8 +99,8 @@ class BodyPicture {
   void appendOmega(const MotionState& state, visualization_msgs::MarkerArray& out) const;
   void appendFlips(const session::Tick& tick, const Motion& motion, double time, visualization_msgs::MarkerArray& out);
   void appendTrail(const Eigen::Vector3d& place, visualization_msgs::MarkerArray& out);
-  void appendMovingConstruction(const session::Tick& tick, const MotionState& state, const Eigen::Vector3d& torque_world,
-                                visualization_msgs::MarkerArray& out);
+  void appendMovingConstruction(const session::Tick& tick, const MotionState& state,
+                                const Eigen::Vector3d& torque_world, visualization_msgs::MarkerArray& out);
   void appendPath(const session::Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
 
   Brush brush_;

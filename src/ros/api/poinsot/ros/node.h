@@ -27,15 +27,15 @@ namespace poinsot::node {
 /**
  * The node: turns a session into topics and services.
  *
- * One thread ticks and runs ROS's callbacks between two ticks. Services have a thread of their own, which only posts and
- * waits; what takes long is done by the session's job.
+ * One thread ticks and runs ROS's callbacks between two ticks. Services have a thread of their own, which only posts
+ * and waits; what takes long is done by the session's job.
  */
 class Node : private session::Listener {
  public:
   /**
    * @param interrupted makes it give up, here and in run().
-   * Throws scene::Error for an accuracy that is out of reach; ParameterError for a scene that this machine cannot step in
-   * real time; cost::Cancelled.
+   * Throws scene::Error for an accuracy that is out of reach; ParameterError for a scene that this machine cannot step
+   * in real time; cost::Cancelled.
    */
   Node(const Parameters& parameters, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
        const std::atomic<bool>& interrupted);

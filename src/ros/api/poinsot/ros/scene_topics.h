@@ -43,15 +43,16 @@ class SceneTopics {
   void publishMarkers(const session::Session& session, const session::Tick& tick);
 
   ros::NodeHandle handle_;
-  // Not broadcasters of tf2_ros: they have no callback for new subscribers, and never forget the frames of another scene.
+  // Not broadcasters of tf2_ros: they have no callback for new subscribers, and never forget the frames of another
+  // scene.
   ros::Publisher tf_, static_tf_;
   ros::Publisher markers_, static_markers_;
   std::optional<session::Tick> last_tick_;
   tf2_msgs::TFMessage transforms_;  ///< of the last tick
   ros::SteadyTime transforms_sent_, preview_sent_;
-  bool markers_have_new_viewer_ = false;               ///< since the last tick
+  bool markers_have_new_viewer_ = false;  ///< since the last tick
   bool markers_watched_ = false;
-  std::optional<ros::SteadyTime> resend_static_at_;    ///< for whoever subscribed last
+  std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last
   bool preview_is_new_ = false;
   bool has_preview_ = false;  ///< of what was published last
 };

@@ -16,9 +16,9 @@ Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& 
 
 /** Which bodies to build, and how. */
 struct BuildOrder {
-  scene::Scene scene;               ///< as it is to be; accuracies are still to be met by a method and a step
-  std::vector<std::size_t> bodies;  ///< which of the scene's bodies
-  double time = 0;                  ///< to which they are to be stepped [s]
+  scene::Scene scene;                 ///< as it is to be; accuracies are still to be met by a method and a step
+  std::vector<std::size_t> bodies;    ///< which of the scene's bodies
+  double time = 0;                    ///< to which they are to be stepped [s]
   double rate = scene::kDefaultRate;  ///< of the ticks [Hz]
   MakeCompanion companion;
 };

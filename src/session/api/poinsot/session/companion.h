@@ -22,9 +22,9 @@ using MakeCompanion = std::function<std::unique_ptr<Companion>(const scene::Body
 
 /** How a body that takes another's place is drawn. */
 enum class Redraw {
-  never,                ///< exactly as the other was
-  where_it_has_to_be,   ///< as the other was, unless it would be far too small or too large
-  always                ///< laid out anew
+  never,               ///< exactly as the other was
+  where_it_has_to_be,  ///< as the other was, unless it would be far too small or too large
+  always               ///< laid out anew
 };
 
 }  // namespace poinsot::session

@@ -59,7 +59,8 @@ struct Refusal {
   std::vector<Request> requests;  ///< all that are refused together
   std::string detail;             ///< what the part that found the fault said of it
   std::string body, method;       ///< too_many_steps, no_state
-  double figure = 0, limit = 0;   ///< too_fast: CPU s per simulated s, what is allowed of it (SetSpeed: the largest speed); too_many_steps: their number
+  double figure = 0, limit = 0;   ///< too_fast: CPU s per simulated s, what is allowed of it (SetSpeed: the largest
+                                  ///< speed); too_many_steps: their number
   double step = 0;                ///< too_many_steps [s]
   double speed = 0;               ///< too_fast: of play
 };

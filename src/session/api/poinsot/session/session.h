@@ -18,6 +18,8 @@
 
 namespace poinsot::session {
 
+inline constexpr double kMostLoad = 0.8;  ///< of one core, for what a speed may ask of the steppers
+
 /**
  * What plays: bodies that move with a clock, and what is asked of them. One thread uses it; what takes long is done by
  * its job, and takes effect in serve().
@@ -133,7 +135,7 @@ class Session {
   Clock clock_;
   std::vector<std::unique_ptr<Body>> bodies_;
   NamedScene playing_;
-  scene::Scene start_scene_;  ///< as a reset brings it back
+  scene::Scene start_scene_;    ///< as a reset brings it back
   std::vector<Waiting> queue_;  ///< asked for and not yet applied to the draft
   std::optional<Draft> draft_;  ///< the scene as it is to be, where it is to be another
   std::optional<double> seek_;  ///< to which the job steps what plays, or is to [s]

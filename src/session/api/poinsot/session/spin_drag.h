@@ -77,8 +77,8 @@ class SpinDrag {
 
   /**
    * The hand is at a point: whether it has led Ω away from where it was taken.
-   * @param omega_point where Ω is drawn now. The tick that stopped the body has moved it once more, so the hand may have
-   *        seen either place.
+   * @param omega_point where Ω is drawn now. The tick that stopped the body has moved it once more, so the hand may
+   * have seen either place.
    */
   bool leads(const Eigen::Vector3d& point, const Eigen::Vector3d& omega_point);
 

@@ -37,7 +37,8 @@ double largestSwing(const ClosedForm& motion);
 /**
  * The regime in words, to go after "spins" or "turns" or to stand alone: "about the axis of smallest moment".
  *
- * @param moments principal moments [kg·m²], and Ω [rad/s, principal axes], which tell which axis a steady spin is about.
+ * @param moments principal moments [kg·m²], and Ω [rad/s, principal axes], which tell which axis a steady spin is
+ * about.
  */
 const char* textOf(Regime regime, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal);
 
