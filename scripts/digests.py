@@ -6,7 +6,8 @@ Usage: digests.py BUILD [--duration S] [SCENE ...]
 
 BUILD holds devel/lib/poinsot/simulate. For each scene of scenes/ (or those named): the SHA-256 of `simulate --csv`, and for
 each topic of `simulate --bag` the number of messages and the SHA-256 of their stamps and bytes, one line each. Not part of
-the digests: the texts of labels, and DELETEALL markers, which say how something is said and cleared, not what is shown.
+the digests: the texts of labels, DELETEALL markers, and the DELETE markers in the first message of a topic, which say how
+something is said and what others may have left is cleared, not what is shown.
 Exit: 0, 1 when simulate fails, 2 for bad use.
 """
 import argparse
@@ -39,10 +40,11 @@ def digest_of_file(path):
     return digest.hexdigest()
 
 
-def masked(content):
-    """A serialized MarkerArray without DELETEALL markers and without the words of labels."""
+def masked(content, first):
+    """A serialized MarkerArray without DELETEALL markers, in the first message DELETE markers, and the words of labels."""
     array = MarkerArray().deserialize(content)
-    array.markers = [marker for marker in array.markers if marker.action != Marker.DELETEALL]
+    actions = (Marker.DELETEALL, Marker.DELETE) if first else (Marker.DELETEALL,)
+    array.markers = [marker for marker in array.markers if marker.action not in actions]
     for marker in array.markers:
         if marker.type == Marker.TEXT_VIEW_FACING:
             marker.text = ""
@@ -57,7 +59,7 @@ def digests_of_bag(path):
     with rosbag.Bag(path) as bag:
         for topic, (kind, content, _, _, _), stamp in bag.read_messages(raw=True):
             if kind == MarkerArray._type:
-                content = masked(content)
+                content = masked(content, first=not counts[topic])
             digests[topic].update(b"%d %d\n" % (stamp.to_nsec(), len(content)))
             digests[topic].update(content)
             counts[topic] += 1

@@ -56,7 +56,7 @@ constexpr double kTorquedTrailLength = 1.5;    // m: the newest stretch of its p
 constexpr double kTorquedTrailHeight = 0.026;  // m above the surface
 constexpr double kPathHeight = 0.016;
 constexpr double kPathWidth = 0.018;
-constexpr std::size_t kPathPieces = 64;
+constexpr std::size_t kPathPieces = kTrailIds - 1;
 constexpr std::size_t kPiecePoints = 256;  // 16384 together
 constexpr std::size_t kPathPiecesAtOnce = 16;
 constexpr double kPathTolerance = 0.002;  // m
@@ -202,17 +202,6 @@ bool differ(double a, double b) {
 }
 
 }  // namespace
-
-MarkerArray clearedMarkers() {
-  MarkerArray out;
-  Marker clear;
-  clear.action = Marker::DELETEALL;
-  // With a frame RViz takes it in turn with the markers; one without counts as failed and is handled out of turn.
-  clear.header.frame_id = names::kWorld;
-  clear.pose.orientation.w = 1;
-  out.markers.push_back(clear);
-  return out;
-}
 
 BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
                          const std::optional<view::PictureFrame>& keep)

@@ -167,20 +167,22 @@ void Node::publishStatus() {
   status_.publisher.publish(statusMessage(*session_, parameters_.rate, status_.scenes));
 }
 
-void Node::bodiesChanged(bool all) {
-  if (all) {
+void Node::bodiesChanged(const std::vector<std::string>& names, bool another_scene) {
+  if (another_scene) {
     handles_->removeAll();
     diagnostics_->bodiesChanged();
+    topics_.sceneChanged(*session_, toTime(timer_.stamp()));
+  } else {
+    topics_.bodiesChanged(*session_, names, toTime(timer_.stamp()));
   }
-  topics_.bodiesChanged(*session_, all, toTime(timer_.stamp()));
 }
 
-void Node::previewChanged() {
-  topics_.previewChanged();
+void Node::previewChanged(const std::string& body) {
+  topics_.previewChanged(body);
 }
 
-void Node::previewEnded() {
-  topics_.previewEnded(*session_);
+void Node::previewEnded(const std::string& body) {
+  topics_.previewEnded(*session_, body);
 }
 
 void Node::keepsAnotherEllipsoid(view::Keep keep) {

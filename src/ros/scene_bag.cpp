@@ -85,6 +85,11 @@ void SceneBag::writeStatic() {
     putLatched(entry.description, descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
   }
   putLatched("/tf_static", transforms);
+  // Who replays it may still have what another recording of these bodies drew.
+  for (const Entry& entry : entries_) {
+    moving_markers_.withdrawLeftovers(entry.body.name());
+    still_markers_.withdrawLeftovers(entry.body.name());
+  }
   writeStaticMarkers();
   static_markers_repeated_ = false;
 }
@@ -93,8 +98,9 @@ void SceneBag::writeStatic() {
 void SceneBag::writeStaticMarkers() {
   static_markers_repeated_ = true;
   if (!markers_) return;
-  MarkerArray markers = clearedMarkers();
+  MarkerArray markers;
   for (const Entry& entry : entries_) entry.picture->appendStatic(markers);
+  still_markers_.follow(markers);
   putLatched(absolute(names::kMarkersStatic), markers);
 }
 
@@ -116,6 +122,7 @@ void SceneBag::writeMoving(const session::Tick& tick) {
     entry.picture->appendFigures(
         tick, {body.attitudeError(), body.energyDrift(), kNotMeasured, body.state().kinetic_energy}, markers);
   }
+  moving_markers_.follow(markers);
   if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);
 }
 

@@ -20,6 +20,8 @@ const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kResendAfterScene(0.5);  // its frames are new to everybody
 const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new viewer is given the last one
 const ros::WallDuration kPreviewPause(0.05);
+const ros::WallDuration kYouth(10);        // in which viewers of a node that was restarted connect again
+constexpr std::size_t kMostCleared = 500;  // bodies: of more than that, what a node before has left is not deleted
 
 BodyPicture::Figures figuresOf(const session::Body& body) {
   return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
@@ -27,7 +29,7 @@ BodyPicture::Figures figuresOf(const session::Body& body) {
 
 }  // namespace
 
-SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle) {
+SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle), began_(ros::SteadyTime::now()) {
   // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
   tf_ = handle_.advertise<tf2_msgs::TFMessage>(
       names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
@@ -56,28 +58,47 @@ void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) 
   publishStaticMarkers(session);
 }
 
-void SceneTopics::bodiesChanged(const Session& session, bool all, const ros::Time& stamp) {
-  has_preview_ = preview_is_new_ = false;
-  if (all) {
-    // What the old scene had sent is not for who comes now, and who is there is to see no more of it.
-    resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;
-    transforms_.transforms.clear();
-    last_tick_.reset();
-    markers_.publish(clearedMarkers());
-  }
+void SceneTopics::sceneChanged(const Session& session, const ros::Time& stamp) {
+  // What the old scene had sent is not for who comes now, and who is there is to see no more of it.
+  resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;
+  preview_is_new_ = false;
+  transforms_.transforms.clear();
+  last_tick_.reset();
+  MarkerArray markers;
+  moving_.withdrawAll();
+  moving_.follow(markers);
+  if (!markers.markers.empty()) markers_.publish(markers);
   publishStatic(session, stamp);
-  markers_watched_ = false;
 }
 
-void SceneTopics::previewEnded(const Session& session) {
-  has_preview_ = preview_is_new_ = false;
+void SceneTopics::bodiesChanged(const Session& session, const std::vector<std::string>& names, const ros::Time& stamp) {
+  preview_is_new_ = false;
+  for (const std::string& name : names) moving_.withdraw(name);
+  publishStatic(session, stamp);
+}
+
+void SceneTopics::previewChanged(const std::string& body) {
+  preview_is_new_ = true;
+  moving_.withdraw(body);  // the trail and the words are those of the spin before
+}
+
+void SceneTopics::previewEnded(const Session& session, const std::string& body) {
+  preview_is_new_ = false;
+  moving_.withdraw(body);
   publishStaticMarkers(session);
-  markers_watched_ = false;
+}
+
+void SceneTopics::withdrawLeftovers(const Session& session, MarkerTracker& markers) const {
+  if (ros::SteadyTime::now() - began_ > kYouth || session.bodies().size() > kMostCleared) return;
+  for (const auto& body : session.bodies()) markers.withdrawLeftovers(body->name());
 }
 
 void SceneTopics::publishStaticMarkers(const Session& session) {
-  MarkerArray markers = clearedMarkers();
+  MarkerArray markers;
   for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().appendStatic(markers);
+  still_.withdrawAll();
+  withdrawLeftovers(session, still_);
+  still_.follow(markers);
   static_markers_.publish(markers);
 }
 
@@ -112,8 +133,6 @@ void SceneTopics::publishToNewViewers(const Session& session) {
 
 bool SceneTopics::publishPreview(const Session& session) {
   if (!session.preview() || !preview_is_new_ || ros::SteadyTime::now() - preview_sent_ < kPreviewPause) return false;
-  if (!has_preview_) markers_watched_ = false;  // the trail and the words are those of the spin before
-  has_preview_ = true;
   preview_is_new_ = false;
   preview_sent_ = ros::SteadyTime::now();
   publishStaticMarkers(session);
@@ -121,13 +140,14 @@ bool SceneTopics::publishPreview(const Session& session) {
 }
 
 void SceneTopics::publishMarkers(const Session& session, const session::Tick& tick) {
+  if (markers_have_new_viewer_) withdrawLeftovers(session, moving_);
   markers_have_new_viewer_ = false;
   const auto& bodies = session.bodies();
   const bool watched = markers_.getNumSubscribers() > 0;
   if (watched) {
     const bool some_body_steps =
         std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body->motion().inClosedForm(); });
-    MarkerArray markers = markers_watched_ ? MarkerArray() : clearedMarkers();
+    MarkerArray markers;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const session::Body& body = session.drawn(i);
       BodyPicture& picture = topicsOf(body).picture();
@@ -135,6 +155,7 @@ void SceneTopics::publishMarkers(const Session& session, const session::Tick& ti
       // They tell how well it steps, which a body that is only drawn as it would be does not.
       if (some_body_steps && &body == bodies[i].get()) picture.appendFigures(tick, figuresOf(body), markers);
     }
+    moving_.follow(markers);
     if (!markers.markers.empty()) markers_.publish(markers);
   } else if (markers_watched_) {
     for (const auto& body : bodies) topicsOf(*body).picture().clearTrail();

@@ -92,7 +92,7 @@ void Session::lead(const HandleEvent& event, Nanoseconds now, const std::optiona
     start.step.reset();
   }
   preview_ = std::make_unique<Body>(start, options_.companions(bodies_, Redraw::never));
-  listener_.previewChanged();
+  listener_.previewChanged(body.name());
 }
 
 void Session::letGo() {
@@ -112,7 +112,7 @@ void Session::endDrag() {
   drag_.end();
   if (!preview_) return;
   preview_.reset();
-  listener_.previewEnded();
+  listener_.previewEnded(drag_.body());
 }
 
 void Session::choose(const HandleEvent& event) {

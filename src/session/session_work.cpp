@@ -231,6 +231,8 @@ void Session::exchange(Built&& built) {
   for (const std::string& choice : built.choices) listener_.chose(choice);
   const Draft draft = *std::exchange(draft_, std::nullopt);
   const double time = draft.from_start ? 0 : clock_.comingTime();
+  std::vector<std::string> names;
+  for (const auto& body : built.bodies) names.push_back(body->name());
   if (draft.all) {
     bodies_ = std::move(built.bodies);
   } else {
@@ -253,7 +255,7 @@ void Session::exchange(Built&& built) {
     drag_.end();
     preview_.reset();
   }
-  listener_.bodiesChanged(draft.all);
+  listener_.bodiesChanged(names, draft.all);
   if (seek_) seek(*seek_);  // with what moves now
 }
 

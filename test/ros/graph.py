@@ -7,6 +7,7 @@ import rospy
 import rostopic
 from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
+from visualization_msgs.msg import Marker
 
 
 # How long a condition may take [s, wall time]: far longer than it does, also on a busy machine and under a sanitizer.
@@ -111,6 +112,20 @@ class Control(object):
 def message_class(topic):
     """The class of a topic's messages, once it is there."""
     return wait_for(lambda: rostopic.get_topic_class(topic)[0], what=topic)
+
+
+def drawn(arrays):
+    """The markers that a viewer such as RViz has after these arrays of one topic: by namespace and id."""
+    out = {}
+    for array in arrays:
+        for marker in array.markers:
+            if marker.action == Marker.ADD:
+                out[marker.ns, marker.id] = marker
+            elif marker.action == Marker.DELETE:
+                out.pop((marker.ns, marker.id), None)
+            else:
+                raise AssertionError("action %d, which takes away what other nodes have drawn" % marker.action)
+    return out
 
 
 def quaternion_distance(a, b):

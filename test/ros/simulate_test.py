@@ -169,7 +169,6 @@ class SimulateTest(unittest.TestCase):
         replay = Launch(self.directory, "replay.launch", "bag:=" + self.bag, "rviz:=false", "delay:=1")
         try:
             seen = replay.ask(watch)
-            self.assertTrue(seen["cleared first"])
             for picture in ("space", "model"):
                 for what in ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix"):
                     self.assertIn("wingnut/%s/%s" % (picture, what), seen["static markers"])

@@ -49,9 +49,12 @@ class FakeJob : public Job {
 /** Writes down what it is told. */
 class Heard : public Listener {
  public:
-  void bodiesChanged(bool all) override { changes.push_back(all); }
-  void previewChanged() override { ++previews; }
-  void previewEnded() override { ++previews_ended; }
+  void bodiesChanged(const std::vector<std::string>& names, bool another_scene) override {
+    changes.push_back(another_scene);
+    changed = names;
+  }
+  void previewChanged(const std::string&) override { ++previews; }
+  void previewEnded(const std::string&) override { ++previews_ended; }
   void keepsAnotherEllipsoid(view::Keep keep) override { kept = keep; }
   void refused(const Refusal& refusal) override { refusals.push_back(refusal); }
   void warned(const std::string& warning) override { warnings.push_back(warning); }
@@ -63,7 +66,8 @@ class Heard : public Listener {
   void stampsJumpedAhead(double by) override { jumps_ahead.push_back(by); }
   void timeLeftTheRange(double, double) override { ++left_range; }
 
-  std::vector<bool> changes;
+  std::vector<bool> changes;         ///< whether each was another scene
+  std::vector<std::string> changed;  ///< the bodies of the last
   int previews = 0, previews_ended = 0, coarse = 0, jumps_back = 0, left_range = 0;
   view::Keep kept = view::Keep::energy;
   std::vector<Refusal> refusals;

@@ -20,9 +20,6 @@
 
 namespace poinsot::node {
 
-/** Begins an array that may meet markers of an earlier scene in a viewer. */
-visualization_msgs::MarkerArray clearedMarkers();
-
 /**
  * One body's markers: the body itself, the two pictures of Poinsot's construction, and what shows its effects.
  *

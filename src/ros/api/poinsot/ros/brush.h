@@ -37,6 +37,9 @@ enum LabelId {
   kFlips,
   kTurn
 };
+constexpr int kLabelIds = kTurn + 1;
+constexpr int kTrailIds = 65;  ///< in <body>/trail: the newest stretch, and 64 pieces of a path under torques
+constexpr int kCurveIds = 4;   ///< of a polhode and of a separatrix: their branches
 
 /** Makes markers of one body, in its namespaces and its frames; stamps 0. */
 class Brush {

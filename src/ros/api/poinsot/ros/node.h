@@ -59,9 +59,9 @@ class Node : private session::Listener {
   void publishStatus();
 
   // What the session tells.
-  void bodiesChanged(bool all) override;
-  void previewChanged() override;
-  void previewEnded() override;
+  void bodiesChanged(const std::vector<std::string>& names, bool another_scene) override;
+  void previewChanged(const std::string& body) override;
+  void previewEnded(const std::string& body) override;
   void keepsAnotherEllipsoid(view::Keep keep) override;
   void refused(const session::Refusal& refusal) override;
   void warned(const std::string& warning) override;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "poinsot/ros/body_picture.h"
+#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/scene.h"
 #include "poinsot/session/moving_body.h"
@@ -75,6 +76,7 @@ class SceneBag {
   std::unique_ptr<rosbag::Bag> bag_;
   std::vector<Entry> entries_;
   bool markers_;
+  MarkerTracker moving_markers_, still_markers_;
   bool some_body_steps_ = false;  ///< then labels tell how well
   bool static_markers_repeated_ = false;
   std::optional<ros::Time> stamp_;  ///< of the last tick

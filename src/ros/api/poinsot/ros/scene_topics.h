@@ -7,7 +7,10 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/session/session.h"
 
 namespace poinsot::node {
@@ -19,13 +22,15 @@ class SceneTopics {
 
   /** All that stands still. */
   void publishStatic(const session::Session& session, const ros::Time& stamp);
-  /** Other bodies play: what stands still is sent, and what moves begins anew. @param all see Listener. */
-  void bodiesChanged(const session::Session& session, bool all, const ros::Time& stamp);
+  /** Another scene plays: all that was drawn goes. */
+  void sceneChanged(const session::Session& session, const ros::Time& stamp);
+  /** Bodies of these names are others now: what is drawn of them begins anew. */
+  void bodiesChanged(const session::Session& session, const std::vector<std::string>& names, const ros::Time& stamp);
 
   /** A body that is held is drawn otherwise: told with the next tick, but not too often. */
-  void previewChanged() { preview_is_new_ = true; }
+  void previewChanged(const std::string& body);
   /** It is drawn again as it was. */
-  void previewEnded(const session::Session& session);
+  void previewEnded(const session::Session& session, const std::string& body);
 
   /** What moves, and what each body says, at a tick. */
   void publish(const session::Session& session, const session::Tick& tick);
@@ -41,20 +46,22 @@ class SceneTopics {
   /** @return whether there was something new to show. */
   bool publishPreview(const session::Session& session);
   void publishMarkers(const session::Session& session, const session::Tick& tick);
+  /** What a node that has ended may have drawn in the names of these bodies goes, while this one is young. */
+  void withdrawLeftovers(const session::Session& session, MarkerTracker& markers) const;
 
   ros::NodeHandle handle_;
   // Not broadcasters of tf2_ros: they have no callback for new subscribers, and never forget the frames of another
   // scene.
   ros::Publisher tf_, static_tf_;
   ros::Publisher markers_, static_markers_;
+  MarkerTracker moving_, still_;  ///< what viewers have of markers_ and of static_markers_
   std::optional<session::Tick> last_tick_;
   tf2_msgs::TFMessage transforms_;  ///< of the last tick
-  ros::SteadyTime transforms_sent_, preview_sent_;
+  ros::SteadyTime began_, transforms_sent_, preview_sent_;
   bool markers_have_new_viewer_ = false;  ///< since the last tick
   bool markers_watched_ = false;
   std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last
   bool preview_is_new_ = false;
-  bool has_preview_ = false;  ///< of what was published last
 };
 
 }  // namespace poinsot::node

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "poinsot/session/request.h"
 #include "poinsot/view/spin_choices.h"
@@ -12,12 +13,12 @@ class Listener {
  public:
   virtual ~Listener() = default;
 
-  /** Other bodies play now: all of another scene, or some of the present one. */
-  virtual void bodiesChanged(bool all) = 0;
+  /** Other bodies play now: those of another scene, or some of the present one, which have these names. */
+  virtual void bodiesChanged(const std::vector<std::string>& names, bool another_scene) = 0;
   /** A body that is held would start from somewhere else. */
-  virtual void previewChanged() = 0;
+  virtual void previewChanged(const std::string& body) = 0;
   /** It looks again as it was before. */
-  virtual void previewEnded() = 0;
+  virtual void previewEnded(const std::string& body) = 0;
   /** Spins are led on that ellipsoid from now on. */
   virtual void keepsAnotherEllipsoid(view::Keep keep) = 0;
 
