@@ -245,21 +245,20 @@ struct Best {
 std::vector<Best> cheapest(const std::vector<Contestant>& contestants, const std::vector<State<double>>& truth) {
   std::vector<Best> best(std::size(kAccuracies));
   for (const Contestant& c : contestants) {
-    std::size_t reached = 0;
     for (const double knob : c.knobs) {
       // A way that has become this much more expensive than another does not win from here on.
       const double begin = poinsot::cost::threadCpuTime();
       double error = errorOf(c.run(knob, kEnds[0]), truth[0]);
       if (poinsot::cost::threadCpuTime() - begin > kNoLonger * best.back().seconds) break;
-      for (std::size_t k = 1; k < truth.size() && error <= kAccuracies[reached]; ++k) {
+      for (std::size_t k = 1; k < truth.size() && error <= kAccuracies[0]; ++k) {
         error = std::max(error, errorOf(c.run(knob, kEnds[k]), truth[k]));
       }
-      while (reached < best.size() && error <= kAccuracies[reached]) {
-        const double seconds = secondsOf(c, knob);
-        if (seconds < best[reached].seconds) best[reached] = {c.name, seconds};
-        ++reached;
+      if (error > kAccuracies[0]) continue;
+      // A shorter step may be cheaper: one that is too long for the motion is cut into parts, and tried in vain first.
+      const double seconds = secondsOf(c, knob);
+      for (std::size_t k = 0; k < best.size() && error <= kAccuracies[k]; ++k) {
+        if (seconds < best[k].seconds) best[k] = {c.name, seconds};
       }
-      if (reached == best.size()) break;
     }
   }
   return best;

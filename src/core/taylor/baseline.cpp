@@ -4,7 +4,7 @@
 
 namespace poinsot::taylor {
 
-bool stepBaseline(const Body& body, const Start& start, int order, double h, Increment& out) {
+LeftOut stepBaseline(const Body& body, const Start& start, int order, double h, Increment& out) {
   return baseline::run(body, start, order, h, out);
 }
 

@@ -36,14 +36,18 @@ struct Increment {
   double attitude[4], omega[3], slug_omega[3];
 };
 
-/**
- * The step h by terms up to h^order, 4 ≤ order ≤ kMostOrder. False, and nothing in `out`, when the last two terms are
- * not small beside the state: the series does not converge, or h is so long that it is of no use.
+/** What a step leaves out, as parts of the state or of its change, the worst of all series. NaN where a term is none.
  */
-using Step = bool (*)(const Body& body, const Start& start, int order, double h, Increment& out);
+struct LeftOut {
+  double last_terms;  ///< the larger of the last two terms that are in it
+  double error;       ///< all that would come after them, if they went on to fall as the last four did; may be infinite
+};
 
-bool stepBaseline(const Body& body, const Start& start, int order, double h, Increment& out);
-bool stepV3(const Body& body, const Start& start, int order, double h, Increment& out);
+/** The step h by terms up to h^order, 4 ≤ order ≤ kMostOrder. */
+using Step = LeftOut (*)(const Body& body, const Start& start, int order, double h, Increment& out);
+
+LeftOut stepBaseline(const Body& body, const Start& start, int order, double h, Increment& out);
+LeftOut stepV3(const Body& body, const Start& start, int order, double h, Increment& out);
 
 /** The fastest that this processor can run; POINSOT_SIMD=baseline asks for the plain one. */
 Step bestStep();

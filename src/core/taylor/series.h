@@ -13,7 +13,6 @@ constexpr double kInverse[kMostOrder] = {1,        1.0 / 2,  1.0 / 3,  1.0 / 4, 
                                          1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12,
                                          1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18,
                                          1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24};
-constexpr double kMostTail = 1e-6;  // of the state, or of its change, for the last two terms
 
 inline Four four(const double* v) {
   return Four{v[0], v[1], v[2], 0};
@@ -68,9 +67,24 @@ inline Four sum(const Four* c, int order) {
   return even + odd;
 }
 
-/** The larger of the last two terms. */
-inline double tail(const Four* c, int order) {
-  return larger(largest(c[order - 1]), largest(c[order]));
+/** The larger, or NaN where one of them is. */
+inline double worse(double a, double b) {
+  return a > b || a != a ? a : b;
+}
+/** The larger of two terms that follow each other: one alone may vanish. */
+inline double pair(const Four* c, int last) {
+  return larger(largest(c[last - 1]), largest(c[last]));
+}
+
+/** Of a series whose size is `whole`. */
+inline LeftOut leftOut(const Four* c, int order, double whole) {
+  const double last = pair(c, order), before = pair(c, order - 2);
+  if (last == 0) return {0, 0};
+  return {last / whole, last < before ? last * last / ((before - last) * whole) : __builtin_inf()};
+}
+
+inline LeftOut worse(const LeftOut& a, const LeftOut& b) {
+  return {worse(a.last_terms, b.last_terms), worse(a.error, b.error)};
 }
 
 /**
@@ -81,7 +95,7 @@ inline double tail(const Four* c, int order) {
  * Their number is a template's, so that their products are all formed in one loop over the coefficients of Ω.
  */
 template <int carried>
-bool step(const Body& body, const Start& start, int order, double h, Increment& out) {
+LeftOut step(const Body& body, const Start& start, int order, double h, Increment& out) {
   Coefficients omega, vectors[std::max(carried, 1)];
   Four attitude[kMostOrder + 1];
   const int radial = body.fields, along = radial + 1, slug = radial + (body.gradient ? 2 : 0);
@@ -148,19 +162,19 @@ bool step(const Body& body, const Start& start, int order, double h, Increment& 
   const Four dq = sum(attitude, order), dw = sum(omega.plain, order);
   // What starts at rest, even without a torque at first, is measured by what it becomes.
   const double speed = larger(larger(largest(omega.plain[0]), largest(omega.plain[1])), largest(dw));
-  if (!(tail(attitude, order) <= kMostTail) || !(tail(omega.plain, order) <= kMostTail * speed)) return false;
+  LeftOut left = worse(leftOut(attitude, order, 1), leftOut(omega.plain, order, speed));
   if (body.slug) {
     const Four* const sigma = vectors[carried > 0 ? slug : 0].plain;
     const Four ds = sum(sigma, order);
-    if (!(tail(sigma, order) <= kMostTail * larger(speed, larger(largest(sigma[0]), largest(ds))))) return false;
+    left = worse(left, leftOut(sigma, order, larger(speed, larger(largest(sigma[0]), largest(ds)))));
     for (int i = 0; i < 3; ++i) out.slug_omega[i] = ds[i];
   }
   for (int i = 0; i < 4; ++i) out.attitude[i] = dq[i];
   for (int i = 0; i < 3; ++i) out.omega[i] = dw[i];
-  return true;
+  return left;
 }
 
-bool run(const Body& body, const Start& start, int order, double h, Increment& out) {
+LeftOut run(const Body& body, const Start& start, int order, double h, Increment& out) {
   switch (body.fields + (body.gradient ? 2 : 0) + (body.slug ? 1 : 0)) {
     case 0:
       return step<0>(body, start, order, h, out);

@@ -5,7 +5,7 @@
 
 namespace poinsot::taylor {
 
-bool stepV3(const Body& body, const Start& start, int order, double h, Increment& out) {
+LeftOut stepV3(const Body& body, const Start& start, int order, double h, Increment& out) {
   return x86_64_v3::run(body, start, order, h, out);
 }
 
