@@ -1,11 +1,10 @@
 #include "poinsot/core/inertia.h"
 
-#include "poinsot/core/number_text.h"
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
+#include "poinsot/core/number_text.h"
 #include "refuse.h"
 
 namespace poinsot {

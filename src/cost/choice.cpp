@@ -36,31 +36,33 @@ struct Nearest {
 
 class Search {
  public:
-  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel)
+  Search(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
+         const std::atomic<bool>& cancel)
       : setup_(setup),
-        wish_(wish),
+        request_(request),
         costs_(costs),
         cancel_(cancel),
         start_(RotationState::fromOmega(setup.inertia.moments(), setup.attitude.normalized() * setup.inertia.axes(),
                                         setup.inertia.toPrincipal(setup.omega_body))),
         exact_(setup.inertia.moments(), start_.attitude, start_.omegaBody(setup.inertia.moments())) {
     const double fastest = orbitRates(setup.inertia.moments(), setup.inertia.toPrincipal(setup.omega_body)).fastest();
-    longest_ = std::min(wish.horizon, std::max(1 / wish.rate, fastest > 0 ? kLongestAngle / fastest : wish.horizon));
+    longest_ =
+        std::min(request.horizon, std::max(1 / request.rate, fastest > 0 ? kLongestAngle / fastest : request.horizon));
   }
 
   Choice run() {
-    for (const std::string& name : wish_.candidates) {
+    for (const std::string& name : request_.candidates) {
       if (name == kClosedForm) tryClosedForm();
     }
     // Higher orders first: what they cost rules most others out before these have taken a step.
     std::vector<const Method*> steppers;
-    for (const std::string& name : wish_.candidates) {
+    for (const std::string& name : request_.candidates) {
       if (const Method* method = findMethod(name)) steppers.push_back(method);
     }
     std::stable_sort(steppers.begin(), steppers.end(), [](const Method* a, const Method* b) {
       return std::pair(a->conserves_energy, a->order) > std::pair(b->conserves_energy, b->order);
     });
-    if (wish_.accuracy >= kLeastVerified) {
+    if (request_.accuracy >= kLeastVerified) {
       for (const Method* method : steppers) tryStepper(*method);
     }
     if (best_.method.empty()) refuse();
@@ -76,16 +78,16 @@ class Search {
   bool improves(double cost) const { return best_.method.empty() || cost < best_.cost; }
 
   double costOf(const Method& method, double step) const {
-    return costs_.perSimulatedSecond(method.name, step, wish_.rate);
+    return costs_.perSimulatedSecond(method.name, step, request_.rate);
   }
 
   void tryClosedForm() {
-    if (wish_.accuracy < kClosedFormError) {
+    if (request_.accuracy < kClosedFormError) {
       note(kClosedForm, kClosedFormError, false);
       return;
     }
     best_ = {kClosedForm, std::nullopt, kClosedFormError, kClosedFormError,
-             costs_.perSimulatedSecond(kClosedForm, 0, wish_.rate)};
+             costs_.perSimulatedSecond(kClosedForm, 0, request_.rate)};
   }
 
   void note(const std::string& method, double error, bool steps_ran_out) {
@@ -94,7 +96,7 @@ class Search {
 
   /** Runs to the horizon, or until the error is far above the accuracy. */
   Trial walk(const Stepper& stepper, double step) const {
-    const auto steps = static_cast<std::int64_t>(std::ceil(wish_.horizon / step));
+    const auto steps = static_cast<std::int64_t>(std::ceil(request_.horizon / step));
     const std::int64_t looks = std::min(steps, kLooks);
     RotationState state = start_;
     Trial trial{0, 0};
@@ -113,17 +115,19 @@ class Search {
       const double error = angleBetween(state.attitude, exact_.at(trial.reached).attitude);
       if (!(error <= 4)) return {kInfinite, trial.reached};
       trial.error = std::max(trial.error, error);
-      if (trial.error > kGiveUp * wish_.accuracy) break;
+      if (trial.error > kGiveUp * request_.accuracy) break;
     }
     return trial;
   }
 
   /** What the error would have become by the horizon, at least. */
-  double extrapolated(const Trial& trial) const { return trial.error * std::max(1.0, wish_.horizon / trial.reached); }
+  double extrapolated(const Trial& trial) const {
+    return trial.error * std::max(1.0, request_.horizon / trial.reached);
+  }
 
   /** The factor on a step that brings an error to the aim. */
   double correction(const Method& method, double error) const {
-    return std::pow(kAim * wish_.accuracy / error, 1.0 / method.order);
+    return std::pow(kAim * request_.accuracy / error, 1.0 / method.order);
   }
 
   struct Found {
@@ -139,16 +143,16 @@ class Search {
     int without_progress = 0;
     for (int i = 0; i < kMostTrials; ++i) {
       if (!improves(costOf(method, step))) break;
-      if (wish_.horizon / step > kMostSteps) {
+      if (request_.horizon / step > kMostSteps) {
         if (good.step == 0 && last_error < kInfinite) note(method.name, last_error, true);
         break;
       }
       const Trial trial = walk(*stepper, step);
       double next;
-      if (trial.error <= wish_.accuracy) {
+      if (trial.error <= request_.accuracy) {
         good = {step, trial.error};
         if (step >= longest_) break;
-        next = step * std::min(4.0, correction(method, std::max(trial.error, 1e-3 * wish_.accuracy)));
+        next = step * std::min(4.0, correction(method, std::max(trial.error, 1e-3 * request_.accuracy)));
         if (bad < kInfinite) next = std::min(next, std::sqrt(good.step * bad));
         next = std::min(next, longest_);
         if (next < kNearEnough * good.step) break;
@@ -163,7 +167,7 @@ class Search {
           const double error = extrapolated(trial);
           // Where shorter steps bring neither less error nor a later one, rounding is what is left.
           const bool better =
-              error < 0.9 * last_error && (trial.reached >= wish_.horizon || trial.reached > 1.02 * last_reached);
+              error < 0.9 * last_error && (trial.reached >= request_.horizon || trial.reached > 1.02 * last_reached);
           if (step <= last_step / 1.4) without_progress = better ? 0 : without_progress + 1;
           note(method.name, error, false);
           if (without_progress == kMostWithoutProgress) break;
@@ -184,18 +188,18 @@ class Search {
     setup.method = method.name;
     setup.step = step;
     Motion motion(setup);
-    const double ticks = std::floor(wish_.horizon * wish_.rate), stride = std::max(1.0, ticks / kMostTicks);
+    const double ticks = std::floor(request_.horizon * request_.rate), stride = std::max(1.0, ticks / kMostTicks);
     double worst = 0;
     const auto look = [&](double t) {
       prepare(motion, t, cancel_);
       const double error = motion.attitudeError(motion.at(t));
       worst = error <= worst ? worst : error;  // also where it is undefined
-      return worst <= wish_.accuracy;
+      return worst <= request_.accuracy;
     };
     for (double k = 1; k <= ticks; k += stride) {
-      if (!look(std::floor(k) / wish_.rate)) return worst;
+      if (!look(std::floor(k) / request_.rate)) return worst;
     }
-    look(wish_.horizon);
+    look(request_.horizon);
     return worst;
   }
 
@@ -210,7 +214,7 @@ class Search {
         error = verified(method, found.step);
       } catch (const std::runtime_error&) {  // range_error, NoConvergence: worse than any error
       }
-      if (error <= wish_.accuracy - kClosedFormError) {
+      if (error <= request_.accuracy - kClosedFormError) {
         best_ = {method.name, found.step, found.error, error, cost};
         return;
       }
@@ -220,14 +224,14 @@ class Search {
   }
 
   [[noreturn]] void refuse() const {
-    std::string why = "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones";
-    if (wish_.candidates.size() == 1) why = wish_.candidates.front();
-    why += wish_.candidates.size() == 1 ? " does not keep to " : " keeps to ";
-    why += numberText(wish_.accuracy, 3) + " rad for " + numberText(wish_.horizon, 3) + " s on this body";
-    if (wish_.accuracy < kClosedFormError) {
+    std::string why = "no method of " + std::to_string(request_.candidates.size()) + " allowed ones";
+    if (request_.candidates.size() == 1) why = request_.candidates.front();
+    why += request_.candidates.size() == 1 ? " does not keep to " : " keeps to ";
+    why += numberText(request_.accuracy, 3) + " rad for " + numberText(request_.horizon, 3) + " s on this body";
+    if (request_.accuracy < kClosedFormError) {
       why += ": nothing is verified beyond the " + numberText(kClosedFormError, 3) +
              " rad to which the closed form is known";
-    } else if (wish_.accuracy < kLeastVerified && nearest_.error == kInfinite) {
+    } else if (request_.accuracy < kLeastVerified && nearest_.error == kInfinite) {
       why += ": steppers are verified by the closed form, which is known to " + numberText(kClosedFormError, 3) +
              " rad itself";
     } else if (!(nearest_.error < 0.1)) {
@@ -242,7 +246,7 @@ class Search {
   }
 
   MotionSetup setup_;
-  Wish wish_;
+  AccuracyRequest request_;
   const MethodCosts& costs_;
   const std::atomic<bool>& cancel_;
   RotationState start_;
@@ -254,9 +258,10 @@ class Search {
 
 }  // namespace
 
-Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel) {
-  if (!setup.effects.empty()) return chooseUnderTorques(setup, wish, costs, cancel);
-  return Search(setup, wish, costs, cancel).run();
+Choice choose(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
+              const std::atomic<bool>& cancel) {
+  if (!setup.effects.empty()) return chooseUnderTorques(setup, request, costs, cancel);
+  return Search(setup, request, costs, cancel).run();
 }
 
 }  // namespace poinsot::cost

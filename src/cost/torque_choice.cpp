@@ -35,35 +35,40 @@ struct Look {
 
 class Search {
  public:
-  Search(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs, const std::atomic<bool>& cancel)
-      : setup_(setup), wish_(wish), costs_(costs), cancel_(cancel), torques_(sumOf(setup.inertia, setup.effects)) {
-    const double ticks = std::ceil(wish.horizon * wish.rate);
+  Search(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
+         const std::atomic<bool>& cancel)
+      : setup_(setup),
+        request_(request),
+        costs_(costs),
+        cancel_(cancel),
+        torques_(sumOf(setup.inertia, setup.effects)) {
+    const double ticks = std::ceil(request.horizon * request.rate);
     const int looks = static_cast<int>(std::clamp(ticks, 16.0, double{kMostLooks}));
-    for (int k = 1; k <= looks; ++k) times_.push_back(wish.horizon * k / looks);
+    for (int k = 1; k <= looks; ++k) times_.push_back(request.horizon * k / looks);
   }
 
   Choice cheapest() {
     findTruth();
     if (truth_.empty()) {
       throw Unreachable("a reference would take more than " + numberText(kMostSteps, 3) + " steps for " +
-                        numberText(wish_.horizon, 3) + " s, or loses the motion, so that " +
-                        numberText(wish_.accuracy, 3) + " rad cannot be verified");
+                        numberText(request_.horizon, 3) + " s, or loses the motion, so that " +
+                        numberText(request_.accuracy, 3) + " rad cannot be verified");
     }
-    if (!(agreement_ <= kAgreeAtWorst * wish_.accuracy)) {
+    if (!(agreement_ <= kAgreeAtWorst * request_.accuracy)) {
       throw Unreachable("two references differ by " + numberText(agreement_, 3) + " rad within " +
-                        numberText(wish_.horizon, 3) + " s, so that " + numberText(wish_.accuracy, 3) +
+                        numberText(request_.horizon, 3) + " s, so that " + numberText(request_.accuracy, 3) +
                         " rad cannot be verified: rounding is in the way, or the motion is that sensitive");
     }
-    for (const std::string& name : wish_.candidates) {
+    for (const std::string& name : request_.candidates) {
       if (const TorqueMethod* method = findTorqueMethod(name)) tryMethod(*method);
     }
     if (best_.method.empty()) {
-      const bool one = wish_.candidates.size() == 1;
+      const bool one = request_.candidates.size() == 1;
       const std::string who =
-          one ? wish_.candidates.front() + " does not keep to "
-              : "no method of " + std::to_string(wish_.candidates.size()) + " allowed ones keeps to ";
+          one ? request_.candidates.front() + " does not keep to "
+              : "no method of " + std::to_string(request_.candidates.size()) + " allowed ones keeps to ";
       throw Unreachable(
-          who + numberText(wish_.accuracy, 3) + " rad for " + numberText(wish_.horizon, 3) + " s on this body" +
+          who + numberText(request_.accuracy, 3) + " rad for " + numberText(request_.horizon, 3) + " s on this body" +
           (nearest_error_ < 1 ? ": " + nearest_method_ + " comes nearest with about " + numberText(nearest_error_, 3) +
                                     " rad in up to " + numberText(kMostSteps, 3) + " steps"
                               : ", nor comes near in up to " + numberText(kMostSteps, 3) + " steps"));
@@ -73,8 +78,8 @@ class Search {
 
   Choice mostExact() {
     findTruth();
-    if (!(truth_step_ > 0) || wish_.horizon / truth_step_ > kMostStepsAtAll) {
-      throw Unreachable("this body moves so fast under its effects that " + numberText(wish_.horizon, 3) +
+    if (!(truth_step_ > 0) || request_.horizon / truth_step_ > kMostStepsAtAll) {
+      throw Unreachable("this body moves so fast under its effects that " + numberText(request_.horizon, 3) +
                         " s of it take more than " + numberText(kMostStepsAtAll, 3) + " steps");
     }
     return {kReferences[0], truth_step_, agreement_, agreement_, costOf(kReferences[0], truth_step_)};
@@ -82,13 +87,13 @@ class Search {
 
  private:
   double costOf(const std::string& method, double step) const {
-    return costs_.perSimulatedSecond(torqueCostName(method), step, wish_.rate);
+    return costs_.perSimulatedSecond(torqueCostName(method), step, request_.rate);
   }
 
   /** Where the motion is at all looks; fewer of them where it was lost or cost too much. */
   std::vector<Look> run(const std::string& method, double step, double* cut = nullptr) const {
     std::vector<Look> out;
-    if (wish_.horizon / step > kMostSteps) return out;
+    if (request_.horizon / step > kMostSteps) return out;
     MotionSetup setup = setup_;
     setup.method = method;
     setup.step = step;
@@ -103,7 +108,7 @@ class Search {
     }
     if (cut) {
       const TorqueMethod& m = *findTorqueMethod(method);
-      const double steps = std::floor(wish_.horizon / step) + static_cast<double>(torques_.switches().size());
+      const double steps = std::floor(request_.horizon / step) + static_cast<double>(torques_.switches().size());
       *cut = m.cuts_steps ? static_cast<double>(motion.work().evaluations) / (m.order * std::max(steps, 1.0)) : 1;
     }
     return out;
@@ -130,7 +135,7 @@ class Search {
     const Eigen::Vector3d& moments = torques_.moments();
     double strongest = 0;
     for (std::size_t k = 0; k <= torques_.switches().size(); ++k) {
-      const bool matters = (k == 0 || torques_.switches()[k - 1] < wish_.horizon) &&
+      const bool matters = (k == 0 || torques_.switches()[k - 1] < request_.horizon) &&
                            (k == torques_.switches().size() || torques_.switches()[k] > 0);
       if (!matters) continue;
       const Torques::Constant& constant = torques_.constant(k);
@@ -151,12 +156,12 @@ class Search {
 
   void findTruth() {
     const double rate = rateAtStart();
-    double step = rate > 0 ? std::min(wish_.horizon, 1 / rate) : wish_.horizon;
+    double step = rate > 0 ? std::min(request_.horizon, 1 / rate) : request_.horizon;
     agreement_ = kInfinite;
     int without_progress = 0;
     for (int i = 0; i < kMostTrials && without_progress < 3; ++i, step *= 0.5) {
       if (truth_step_ == 0) truth_step_ = step;
-      if (wish_.horizon / (kReferenceRatio * step) > kMostSteps) return;
+      if (request_.horizon / (kReferenceRatio * step) > kMostSteps) return;
       std::vector<Look> one = run(kReferences[0], step), other = run(kReferences[1], kReferenceRatio * step);
       const double off = difference(one, other);
       double fastest = rate;
@@ -171,7 +176,7 @@ class Search {
       } else {
         without_progress += futile;
       }
-      if (agreement_ <= kAgree * wish_.accuracy) return;
+      if (agreement_ <= kAgree * request_.accuracy) return;
     }
   }
 
@@ -179,7 +184,7 @@ class Search {
   void tryMethod(const TorqueMethod& method) {
     const std::string name = method.name;
     double good = 0, good_error = 0, bad = kInfinite, last_error = kInfinite;
-    double step = std::min(wish_.horizon, 4 * truth_step_);
+    double step = std::min(request_.horizon, 4 * truth_step_);
     int without_progress = 0;
     for (int i = 0; i < kMostTrials; ++i) {
       if (!best_.method.empty() && costOf(name, step) >= best_.cost) break;
@@ -190,13 +195,13 @@ class Search {
         nearest_method_ = name;
       }
       const double factor =
-          std::pow(kAim * wish_.accuracy / std::max(error, 1e-3 * kAim * wish_.accuracy), 1.0 / method.order);
+          std::pow(kAim * request_.accuracy / std::max(error, 1e-3 * kAim * request_.accuracy), 1.0 / method.order);
       double next;
-      if (error <= kMost * wish_.accuracy && cut <= kMostCut) {
+      if (error <= kMost * request_.accuracy && cut <= kMostCut) {
         good = step;
         good_error = error;
-        if (step >= wish_.horizon) break;
-        next = std::min(wish_.horizon, step * std::clamp(factor, 1.2, 4.0));
+        if (step >= request_.horizon) break;
+        next = std::min(request_.horizon, step * std::clamp(factor, 1.2, 4.0));
         if (bad < kInfinite) next = std::min(next, std::sqrt(good * bad));
         if (next < kNearEnough * good) break;
       } else {
@@ -209,7 +214,7 @@ class Search {
           if (without_progress == 4) break;
           next = error < 0.3 ? step * std::clamp(factor, 1e-2, 0.8) : 0.4 * step;
           last_error = error;
-          if (wish_.horizon / next > kMostSteps) break;
+          if (request_.horizon / next > kMostSteps) break;
         }
       }
       step = next;
@@ -220,7 +225,7 @@ class Search {
   }
 
   MotionSetup setup_;
-  Wish wish_;
+  AccuracyRequest request_;
   const MethodCosts& costs_;
   const std::atomic<bool>& cancel_;
   Torques torques_;
@@ -234,14 +239,14 @@ class Search {
 
 }  // namespace
 
-Choice chooseUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice chooseUnderTorques(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                           const std::atomic<bool>& cancel) {
-  return Search(setup, wish, costs, cancel).cheapest();
+  return Search(setup, request, costs, cancel).cheapest();
 }
 
-Choice mostExactUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice mostExactUnderTorques(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                              const std::atomic<bool>& cancel) {
-  return Search(setup, wish, costs, cancel).mostExact();
+  return Search(setup, request, costs, cancel).mostExact();
 }
 
 }  // namespace poinsot::cost

@@ -14,8 +14,8 @@
 #include "poinsot/ros/shape_markers.h"
 #include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/flips.h"
+#include "poinsot/view/picture_bounds.h"
 #include "poinsot/view/polhode.h"
-#include "poinsot/view/reach.h"
 #include "poinsot/view/separatrix.h"
 
 namespace poinsot::node {
@@ -205,7 +205,7 @@ bool differ(double a, double b) {
 
 BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
                          const std::optional<view::PictureFrame>& keep)
-    : brush_(body.name, frames),
+    : factory_(body.name, frames),
       name_(body.name),
       start_(Motion(motion).at(0)),
       inertia_(body.inertia),
@@ -226,21 +226,21 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
   if (keep) {
     frame_ = *keep;
   } else if (torqued_ && detail == Detail::pictures) {
-    frame_.reach = view::reachOf(motion);
-    frame_.scale = view::pictureScale(frame_.reach.semi_axis, frame_.reach.momentum);
+    frame_.bounds = view::pictureBoundsOf(motion);
+    frame_.scale = view::pictureScale(frame_.bounds.semi_axis, frame_.bounds.momentum);
   }
   const auto is_inside = [](const Effect& effect) { return std::holds_alternative<InternalDissipation>(effect); };
   path_rides_ = std::all_of(body.effects.begin(), body.effects.end(), is_inside);
   if (!keep) {
     frame_.layout = view::layoutOf(start_.position, radius, inertia_.moments(), inertia_.axes(), polhode_,
-                                   omega_principal_, inertia_.toPrincipal(frame_.reach.omega_later));
-    frame_.title_depth = titleDepth(radius);
+                                   omega_principal_, inertia_.toPrincipal(frame_.bounds.omega_later));
   }
   if (torqued_) {
-    effects_.emplace(brush_, motion,
-                     EffectMarkers::Sizes{shape_.boundingRadius(), radius, frame_.reach.torque,
+    effects_.emplace(factory_, motion,
+                     EffectMarkers::Sizes{shape_.boundingRadius(), radius, frame_.bounds.torque,
                                           frame_.scale.metres_per_angular_momentum});
   }
+  if (!keep) frame_.title_depth = titleDepth(radius);  // below what shows the effects
 }
 
 double BodyPicture::titleDepth(double body_radius) const {
@@ -257,8 +257,8 @@ void BodyPicture::appendStatic(MarkerArray& out) const {
 MarkerArray BodyPicture::makeStatic() const {
   MarkerArray out;
   for (Marker& part : shapeMarkers(appearance_, shape_, shape_position_)) {
-    part.header.frame_id = brush_.frames().body;
-    part.ns = brush_.ns(names::kShape);
+    part.header.frame_id = factory_.frames().body;
+    part.ns = factory_.ns(names::kShape);
     part.frame_locked = true;
     out.markers.push_back(part);
   }
@@ -272,10 +272,10 @@ MarkerArray BodyPicture::makeStatic() const {
     appendCurves(picture, polhode_, separatrix, out);
   }
   const double metres = frame_.scale.metres_per_radian_per_second;
-  appendFamily(brush_, inertia_, omega_principal_, metres, out);
+  appendFamily(factory_, inertia_, omega_principal_, metres, out);
   // Below the picture in body axes, where the polhode is: below the other one the next body's L may stand.
-  appendRolling(brush_, *closed_form_, metres, belowTitle(frame_.layout.model_centre, kTurnDepth), out);
-  appendCones(brush_, *closed_form_, inertia_, metres, out);
+  appendRolling(factory_, *closed_form_, metres, belowTitle(frame_.layout.model_centre, kTurnDepth), out);
+  appendCones(factory_, *closed_form_, inertia_, metres, out);
   if (momentum_is_constant_) {
     for (const Marker& m : momentumMarkers(start_.momentum_world, Eigen::Vector3d::Zero())) out.markers.push_back(m);
   }
@@ -286,7 +286,7 @@ void BodyPicture::appendEllipsoids(const Picture& picture, double kinetic_energy
                                    MarkerArray& out) const {
   const double metres = frame_.scale.metres_per_radian_per_second;
   const auto add = [&](const char* what, const Eigen::Vector3d& semi_axes, const std_msgs::ColorRGBA& colour) {
-    Marker m = brush_.marker(brush_.ns(picture.name, what), 0, Marker::SPHERE, picture.body_frame);
+    Marker m = factory_.marker(factory_.ns(picture.name, what), 0, Marker::SPHERE, picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
     m.scale = toVector3(2 * metres * semi_axes);  // a SPHERE's scale is its diameter
     m.color = colour;
@@ -306,8 +306,8 @@ void BodyPicture::appendCurves(const Picture& picture, const view::Polhode& polh
   const auto add = [&](const char* what, int id, const view::Curve& curve, double lift, double width,
                        const std_msgs::ColorRGBA& colour) {
     const bool is_point = curve.points.size() == 1;  // RViz draws no line through a single point
-    Marker m = brush_.marker(brush_.ns(picture.name, what), id, is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP,
-                             picture.body_frame);
+    Marker m = factory_.marker(factory_.ns(picture.name, what), id, is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP,
+                               picture.body_frame);
     m.pose.orientation = toQuaternion(inertia_.axes());
     for (const Eigen::Vector3d& p : curve.points) m.points.push_back(toPoint(lift * metres * p));
     if (curve.closed && !is_point) m.points.push_back(m.points.front());
@@ -332,18 +332,18 @@ Eigen::Vector3d BodyPicture::belowTitle(const Eigen::Vector3d& centre, double de
 
 void BodyPicture::appendTitles(MarkerArray& out) const {
   const Eigen::Vector3d down(0, 0, -frame_.title_depth);
-  out.markers.push_back(brush_.text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
+  out.markers.push_back(factory_.text(kBodyTitle, names::kWorld, start_.position + down, name_, kTitleHeight));
   if (atRest()) return;
-  out.markers.push_back(brush_.text(kSpaceTitle, brush_.frames().space, down, "in world axes", kTitleHeight));
+  out.markers.push_back(factory_.text(kSpaceTitle, factory_.frames().space, down, "in world axes", kTitleHeight));
   out.markers.push_back(
-      brush_.text(kModelTitle, names::kWorld, frame_.layout.model_centre + down, "in body axes", kTitleHeight));
+      factory_.text(kModelTitle, names::kWorld, frame_.layout.model_centre + down, "in body axes", kTitleHeight));
 }
 
 std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& momentum_world,
                                                    const Eigen::Vector3d& torque_world) const {
   const Eigen::Vector3d tip = frame_.scale.metres_per_angular_momentum * momentum_world;
-  Marker l = brush_.arrow(brush_.ns(names::kSpace, names::kAngularMomentum), 0, brush_.frames().space,
-                          Eigen::Vector3d::Zero(), tip);
+  Marker l = factory_.arrow(factory_.ns(names::kSpace, names::kAngularMomentum), 0, factory_.frames().space,
+                            Eigen::Vector3d::Zero(), tip);
   // Beyond the tip; where the torque's arrow begins there, on its other side.
   const double end_on = std::pow(tip.stableNormalized().x(), 2);  // 1: the arrow's head hides what is behind the tip
   Eigen::Vector3d symbol_from_tip = 0.12 * tip + kBesideTorque * end_on * Eigen::Vector3d::UnitZ();
@@ -351,7 +351,7 @@ std::array<Marker, 2> BodyPicture::momentumMarkers(const Eigen::Vector3d& moment
     const Eigen::Vector3d away = 2 * tip.stableNormalized() - torque_world.stableNormalized();
     symbol_from_tip = kBesideTorque * (1 + end_on) * Eigen::Vector3d(0.5, away.y(), away.z()).normalized();
   }
-  Marker symbol = brush_.text(kMomentumSymbol, brush_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
+  Marker symbol = factory_.text(kMomentumSymbol, factory_.frames().space, tip + symbol_from_tip, "L", kSymbolHeight);
   l.color = symbol.color = palette::angularMomentum();
   return {l, symbol};
 }
@@ -366,10 +366,10 @@ void BodyPicture::appendFigures(const Tick& tick, const Figures& figures, Marker
   const std::string words = method_ + what +
                             (std::isnan(figures.cost) ? "" : formatted("\ncost %.3g us per s", 1e6 * figures.cost)) +
                             (flips_.empty() ? "" : "\n" + flips_);
-  stage_.withdrawOne(brush_.ns(kFlips), kFlips, out);
+  tracker_.removeOne(factory_.ns(kFlips), kFlips, out);
   const auto lines = 1 + std::count(words.begin(), words.end(), '\n');
   const double depth = kFiguresDepth + kFiguresDepthALine * static_cast<double>(lines);  // of its middle
-  Marker label = brush_.text(kFigures, names::kWorld, belowTitle(start_.position, depth), words, kFiguresHeight);
+  Marker label = factory_.text(kFigures, names::kWorld, belowTitle(start_.position, depth), words, kFiguresHeight);
   label.header.stamp = toTime(tick.stamp);
   out.markers.push_back(label);
 }
@@ -382,7 +382,8 @@ void BodyPicture::appendFlips(const Tick& tick, const Motion& motion, double tim
   flips_ =
       flipsInWords(view::flipsOf(*motion.closedForm(), time, direction_), polhode_.regime == view::Regime::separatrix);
   if (figures_shown_) return;  // they tell it
-  stage_.put(brush_.text(kFlips, names::kWorld, belowTitle(start_.position, kFlipsDepth), flips_, kFlipsHeight), out);
+  tracker_.put(factory_.text(kFlips, names::kWorld, belowTitle(start_.position, kFlipsDepth), flips_, kFlipsHeight),
+               out);
 }
 
 void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const MotionState& state, MarkerArray& out) {
@@ -402,7 +403,7 @@ void BodyPicture::appendMoving(const Tick& tick, const Motion& motion, const Mot
   } else {
     const Eigen::Vector3d torque_world = view::externalTorque(motion, state);
     appendMovingConstruction(tick, state, torque_world, out);
-    effects_->appendMoving(state, torque_world, stage_, out);
+    effects_->appendMoving(state, torque_world, tracker_, out);
   }
   for (std::size_t i = first; i < out.markers.size(); ++i) out.markers[i].header.stamp = toTime(tick.stamp);
 }
@@ -417,13 +418,13 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
   const double kinetic_energy = 0.5 * momentum.dot(omega), momentum_squared = momentum.squaredNorm();
 
   const auto put = [this, &out](const MarkerArray& markers) {
-    for (const Marker& m : markers.markers) stage_.put(m, out);
+    for (const Marker& m : markers.markers) tracker_.put(m, out);
   };
   if (frame_.scale.metres_per_angular_momentum * state.momentum_world.norm() > kLeastMomentum) {
-    for (const Marker& m : momentumMarkers(state.momentum_world, torque_world)) stage_.put(m, out);
+    for (const Marker& m : momentumMarkers(state.momentum_world, torque_world)) tracker_.put(m, out);
   } else {
-    stage_.withdraw(brush_.ns(names::kSpace, names::kAngularMomentum), 0, out);
-    stage_.withdrawOne(brush_.ns(kMomentumSymbol), kMomentumSymbol, out);
+    tracker_.remove(factory_.ns(names::kSpace, names::kAngularMomentum), 0, out);
+    tracker_.removeOne(factory_.ns(kMomentumSymbol), kMomentumSymbol, out);
   }
 
   appendPath(tick, metres * state.omega_body, out);
@@ -431,11 +432,11 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
     for (const char* picture : {names::kSpace, names::kModel}) {
       for (const char* what :
            {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix, names::kOmega}) {
-        stage_.withdraw(brush_.ns(picture, what), 0, out);
+        tracker_.remove(factory_.ns(picture, what), 0, out);
       }
     }
     for (const LabelId id : {kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol}) {
-      stage_.withdrawOne(brush_.ns(id), id, out);
+      tracker_.removeOne(factory_.ns(id), id, out);
     }
     curves_shown_.reset();
     return;
@@ -459,8 +460,8 @@ void BodyPicture::appendMovingConstruction(const Tick& tick, const MotionState& 
   for (const Picture& picture : pictures()) {
     appendCurves(picture, polhode, separatrix, curves);
     // Their number depends on what kind of curve it is.
-    stage_.withdraw(brush_.ns(picture.name, names::kPolhode), static_cast<int>(polhode.branches.size()), out);
-    stage_.withdraw(brush_.ns(picture.name, names::kSeparatrix), static_cast<int>(separatrix.size()), out);
+    tracker_.remove(factory_.ns(picture.name, names::kPolhode), static_cast<int>(polhode.branches.size()), out);
+    tracker_.remove(factory_.ns(picture.name, names::kSeparatrix), static_cast<int>(separatrix.size()), out);
   }
   put(curves);
 }
@@ -469,31 +470,31 @@ void BodyPicture::appendOmega(const MotionState& state, MarkerArray& out) const 
   const double metres = frame_.scale.metres_per_radian_per_second;
   const Eigen::Vector3d in_space = metres * state.omega_world;
   const Eigen::Vector3d in_model = metres * state.omega_body;
-  const std::string& space = brush_.frames().space;
-  const std::string& model = brush_.frames().model;
+  const std::string& space = factory_.frames().space;
+  const std::string& model = factory_.frames().model;
 
-  Marker omega = brush_.arrow(brush_.ns(names::kSpace, names::kOmega), 0, space, Eigen::Vector3d::Zero(), in_space);
+  Marker omega = factory_.arrow(factory_.ns(names::kSpace, names::kOmega), 0, space, Eigen::Vector3d::Zero(), in_space);
   omega.color = palette::omega();
   out.markers.push_back(omega);
 
   // The arrow ends on the surface, where its own ellipsoids hide it: a pointer leads on to its name.
   const Eigen::Vector3d outwards = in_space.normalized();
   Marker pointer =
-      brush_.arrow(brush_.ns(kOmegaPointer), kOmegaPointer, space, in_space, in_space + kPointerLength * outwards);
+      factory_.arrow(factory_.ns(kOmegaPointer), kOmegaPointer, space, in_space, in_space + kPointerLength * outwards);
   pointer.color = palette::omega();
   out.markers.push_back(pointer);
-  Marker symbol = brush_.text(
+  Marker symbol = factory_.text(
       kOmegaSymbol, space, in_space + (kPointerLength + 0.1) * outwards + besideOmega(in_space, state.momentum_world),
       "\xCF\x89", kSymbolHeight);
   symbol.color = palette::omega();
   out.markers.push_back(symbol);
 
-  Marker bead = brush_.marker(brush_.ns(names::kModel, names::kOmega), 0, Marker::SPHERE, model);
+  Marker bead = factory_.marker(factory_.ns(names::kModel, names::kOmega), 0, Marker::SPHERE, model);
   bead.pose.position = toPoint(in_model);
   bead.scale = toVector3(Eigen::Vector3d::Constant(kBeadDiameter));
   bead.color = palette::omega();
   out.markers.push_back(bead);
-  Marker bead_symbol = brush_.text(
+  Marker bead_symbol = factory_.text(
       kModelOmegaSymbol, model,
       in_model + frame_.layout.model_orientation.conjugate() * besideBead(frame_.layout.model_orientation * in_model),
       "\xCE\xA9", kSymbolHeight);
@@ -505,10 +506,10 @@ void BodyPicture::appendTrail(const Eigen::Vector3d& place, MarkerArray& out) {
   trail_.add(place);
   if (trail_.size() < 2) {
     // After a jump the old trail would stay where it was.
-    stage_.withdrawOne(brush_.ns(names::kTrail), 0, out);
+    tracker_.removeOne(factory_.ns(names::kTrail), 0, out);
     return;
   }
-  Marker trail = brush_.marker(brush_.ns(names::kTrail), 0, Marker::LINE_STRIP, brush_.frames().model);
+  Marker trail = factory_.marker(factory_.ns(names::kTrail), 0, Marker::LINE_STRIP, factory_.frames().model);
   trail.points.reserve(trail_.size());
   trail.colors.reserve(trail_.size());
   for (std::size_t i = 0; i < trail_.size(); ++i) {
@@ -518,7 +519,7 @@ void BodyPicture::appendTrail(const Eigen::Vector3d& place, MarkerArray& out) {
   }
   trail.scale.x = kTrailWidth;
   trail.color = palette::translucent(palette::omega(), 0.99f);  // opaque, RViz would not blend the points' colours
-  stage_.put(trail, out);
+  tracker_.put(trail, out);
 }
 
 void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metres, MarkerArray& out) {
@@ -536,19 +537,20 @@ void BodyPicture::appendPath(const Tick& tick, const Eigen::Vector3d& omega_metr
   const double semi_axis = energy_normal.norm() / inertia_.moments().minCoeff();
   const double size = path_rides_ && semi_axis > 0 ? semi_axis / view::kPictureRadius : 1;
   path_.add(omega_metres / size + kPathHeight * normal);
-  const std::string ns = brush_.ns(names::kTrail);
-  if (path_jumped_) stage_.withdraw(ns, 1, out);
+  const std::string ns = factory_.ns(names::kTrail);
+  if (path_jumped_) tracker_.remove(ns, 1, out);
   const auto send = [&](std::size_t k) {
     const std::vector<Eigen::Vector3d>& points = path_.piece(k);
     if (points.size() < 2) return;
     // A new piece takes the place of the one that has gone.
-    Marker piece = brush_.marker(ns, 1 + static_cast<int>(k % kPathPieces), Marker::LINE_STRIP, brush_.frames().model);
+    Marker piece =
+        factory_.marker(ns, 1 + static_cast<int>(k % kPathPieces), Marker::LINE_STRIP, factory_.frames().model);
     piece.points.reserve(points.size());
     for (const Eigen::Vector3d& p : points) piece.points.push_back(toPoint(size * p));
     piece.scale.x = kPathWidth;
     piece.color = palette::path();
     piece.frame_locked = true;
-    stage_.put(piece, out);
+    tracker_.put(piece, out);
   };
   const std::size_t last = path_.endPiece() - 1;
   if (path_.endPiece() > before && before > 0 && !path_jumped_) send(before - 1);  // now that it is whole

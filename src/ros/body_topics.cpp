@@ -1,6 +1,7 @@
 #include "poinsot/ros/body_topics.h"
 
 #include <map>
+#include <utility>
 
 #include "poinsot/ros/body_messages.h"
 
@@ -44,13 +45,13 @@ BodyTopics& topicsOf(const session::Body& body) {
 }
 
 session::MakeCompanion topicsMaker(const ros::NodeHandle& handle, const std::string& frame_prefix,
-                                   const std::vector<std::unique_ptr<session::Body>>& present, session::Redraw redraw) {
+                                   const std::vector<const session::Body*>& replaced, session::Redraw redraw) {
   std::map<std::string, Legacy> legacies;
-  for (const auto& body : present) {
+  for (const session::Body* body : replaced) {
     const BodyTopics& topics = topicsOf(*body);
     legacies.insert({body->name(), {topics.publishers(), topics.frame()}});
   }
-  return [handle, frame_prefix, legacies, redraw](const scene::Body& body, const Motion& motion) {
+  return [handle, frame_prefix, legacies = std::move(legacies), redraw](const scene::Body& body, const Motion& motion) {
     const auto legacy = legacies.find(body.name);
     if (legacy == legacies.end()) {
       return std::make_unique<BodyTopics>(body, motion, frame_prefix, BodyPublishers(handle, body.name), std::nullopt);

@@ -22,12 +22,12 @@ constexpr double kLineWidth = 0.012;
 
 /** A mantle (id 0), and its rim and lines down it, by which one sees it roll (id 1); about `axis`, through `contact`.
  */
-void appendCone(const Brush& brush, const char* what, const std::string& frame, const Eigen::Quaterniond& orientation,
-                const Eigen::Vector3d& axis, const Eigen::Vector3d& contact, const std_msgs::ColorRGBA& colour,
-                MarkerArray& out) {
-  const std::string ns = brush.ns(names::kSpace, what);
-  Marker mantle = brush.marker(ns, 0, Marker::TRIANGLE_LIST, frame);
-  Marker lines = brush.marker(ns, 1, Marker::LINE_LIST, frame);
+void appendCone(const MarkerFactory& factory, const char* what, const std::string& frame,
+                const Eigen::Quaterniond& orientation, const Eigen::Vector3d& axis, const Eigen::Vector3d& contact,
+                const std_msgs::ColorRGBA& colour, MarkerArray& out) {
+  const std::string ns = factory.ns(names::kSpace, what);
+  Marker mantle = factory.marker(ns, 0, Marker::TRIANGLE_LIST, frame);
+  Marker lines = factory.marker(ns, 1, Marker::LINE_LIST, frame);
   const geometry_msgs::Point apex = toPoint(Eigen::Vector3d::Zero());
   const auto rim = [&](int i) { return toPoint(Eigen::AngleAxisd(2 * M_PI * i / kFacets, axis) * contact); };
   for (int i = 0; i < kFacets; ++i) {
@@ -50,16 +50,16 @@ void appendCone(const Brush& brush, const char* what, const std::string& frame, 
 
 }  // namespace
 
-void appendCones(const Brush& brush, const ClosedForm& motion, const PrincipalInertia& inertia, double metres,
+void appendCones(const MarkerFactory& factory, const ClosedForm& motion, const PrincipalInertia& inertia, double metres,
                  MarkerArray& out) {
   const ClosedForm::State start = motion.at(0);
   const std::optional<view::Cones> cones = view::cones(inertia.moments(), start.omega_body);
   if (!cones) return;
   const Eigen::Vector3d tip = metres * start.omega_body;
   const Eigen::Vector3d contact = tip + kBeyond * tip.normalized();
-  appendCone(brush, names::kBodyCone, brush.frames().space_body, inertia.axes(), cones->body_axis, contact,
+  appendCone(factory, names::kBodyCone, factory.frames().space_body, inertia.axes(), cones->body_axis, contact,
              palette::bodyCone(), out);
-  appendCone(brush, names::kSpaceCone, brush.frames().space, Eigen::Quaterniond::Identity(),
+  appendCone(factory, names::kSpaceCone, factory.frames().space, Eigen::Quaterniond::Identity(),
              view::invariablePlane(motion).normal, start.attitude * contact, palette::spaceCone(), out);
 }
 

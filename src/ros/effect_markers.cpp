@@ -45,8 +45,10 @@ Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direct
 
 }  // namespace
 
-EffectMarkers::EffectMarkers(const Brush& brush, const Motion& motion, const Sizes& sizes)
-    : brush_(brush), sizes_(sizes), way_(static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength, kWaySpacing) {
+EffectMarkers::EffectMarkers(const MarkerFactory& factory, const Motion& motion, const Sizes& sizes)
+    : factory_(factory),
+      sizes_(sizes),
+      way_(static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength, kWaySpacing) {
   for (const Effect& effect : motion.setup().effects) {
     torque_ = torque_ || exertsTorque(effect);
     if (const auto* weight = std::get_if<GravityTorque>(&effect)) weight_ = *weight;
@@ -62,7 +64,7 @@ double EffectMarkers::depth() const {
 
 void EffectMarkers::appendStatic(MarkerArray& out) const {
   if (!weight_) return;
-  Marker pivot = brush_.marker(brush_.ns(names::kGravity), kPivot, Marker::SPHERE, brush_.frames().body);
+  Marker pivot = factory_.marker(factory_.ns(names::kGravity), kPivot, Marker::SPHERE, factory_.frames().body);
   pivot.scale = toVector3(Eigen::Vector3d::Constant(kPivotDiameter));
   pivot.color = palette::pivot();
   pivot.frame_locked = true;
@@ -70,7 +72,7 @@ void EffectMarkers::appendStatic(MarkerArray& out) const {
 
   const Eigen::Vector3d& centre = weight_->centre_of_mass;
   if (centre.isZero(0)) return;
-  Marker rod = brush_.marker(brush_.ns(names::kGravity), kRod, Marker::CYLINDER, brush_.frames().body);
+  Marker rod = factory_.marker(factory_.ns(names::kGravity), kRod, Marker::CYLINDER, factory_.frames().body);
   rod.pose.position = toPoint(0.5 * centre);
   rod.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), centre));
   rod.scale = toVector3({kRodDiameter, kRodDiameter, centre.norm()});
@@ -79,18 +81,18 @@ void EffectMarkers::appendStatic(MarkerArray& out) const {
   out.markers.push_back(rod);
 }
 
-void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, MarkerTracker& tracker,
                                  MarkerArray& out) {
-  if (torque_) appendTorque(state, torque_world, stage, out);
-  if (weight_ && !weight_->centre_of_mass.isZero(0)) appendWay(state, stage, out);
+  if (torque_) appendTorque(state, torque_world, tracker, out);
+  if (weight_ && !weight_->centre_of_mass.isZero(0)) appendWay(state, tracker, out);
   const auto draw = [&](int id, LabelId symbol_id, const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                         double length, const char* symbol) {
     const Eigen::Vector3d tip = from + length * direction;
-    Marker arrow = brush_.arrow(brush_.ns(names::kGravity), id, names::kWorld, from, tip);
-    Marker label = brush_.text(symbol_id, names::kWorld, beyond(tip, direction), symbol, kSymbolHeight);
+    Marker arrow = factory_.arrow(factory_.ns(names::kGravity), id, names::kWorld, from, tip);
+    Marker label = factory_.text(symbol_id, names::kWorld, beyond(tip, direction), symbol, kSymbolHeight);
     arrow.color = label.color = palette::gravity();
-    stage.put(arrow, out);
-    stage.put(label, out);
+    tracker.put(arrow, out);
+    tracker.put(label, out);
   };
   if (weight_ && !weight_->gravity.isZero(0)) {
     draw(kWeight, kWeightSymbol, state.position + state.attitude * weight_->centre_of_mass,
@@ -101,22 +103,22 @@ void EffectMarkers::appendMoving(const MotionState& state, const Eigen::Vector3d
   }
 }
 
-void EffectMarkers::appendWay(const MotionState& state, Stage& stage, MarkerArray& out) {
+void EffectMarkers::appendWay(const MotionState& state, MarkerTracker& tracker, MarkerArray& out) {
   const Eigen::Vector3d& centre = weight_->centre_of_mass;
   way_.add(state.position + state.attitude * (centre + sizes_.shape_radius * centre.stableNormalized()));
-  const std::string ns = brush_.ns(names::kGravity);
-  if (way_.size() < 2) return stage.withdrawOne(ns, kWay, out);
-  Marker way = brush_.marker(ns, kWay, Marker::LINE_STRIP, names::kWorld);
+  const std::string ns = factory_.ns(names::kGravity);
+  if (way_.size() < 2) return tracker.removeOne(ns, kWay, out);
+  Marker way = factory_.marker(ns, kWay, Marker::LINE_STRIP, names::kWorld);
   way.points.reserve(way_.size());
   for (std::size_t i = 0; i < way_.size(); ++i) way.points.push_back(toPoint(way_[i]));
   way.scale.x = kWayWidth;
   way.color = palette::path();
-  stage.put(way, out);
+  tracker.put(way, out);
 }
 
-void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, MarkerTracker& tracker,
                                  MarkerArray& out) const {
-  const std::string ns = brush_.ns(names::kTorque);
+  const std::string ns = factory_.ns(names::kTorque);
   const auto draw = [&](int id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
                         double longest, double hidden) {
     Eigen::Vector3d way = sizes_.torque > 0 ? Eigen::Vector3d(longest * (torque_world / sizes_.torque))
@@ -124,24 +126,24 @@ void EffectMarkers::appendTorque(const MotionState& state, const Eigen::Vector3d
     // A torque beyond what was expected would leave the picture.
     if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
     if (!(way.norm() > kLeastArrow) || !way.allFinite()) {
-      stage.withdrawOne(ns, id, out);
-      stage.withdrawOne(brush_.ns(symbol_id), symbol_id, out);
+      tracker.removeOne(ns, id, out);
+      tracker.removeOne(factory_.ns(symbol_id), symbol_id, out);
       return;
     }
-    Marker arrow = brush_.arrow(ns, id, frame, from, from + way);
+    Marker arrow = factory_.arrow(ns, id, frame, from, from + way);
     arrow.color = palette::torque();
-    stage.put(arrow, out);
+    tracker.put(arrow, out);
     if (way.norm() < hidden) {  // a name alone would puzzle
-      stage.withdrawOne(brush_.ns(symbol_id), symbol_id, out);
+      tracker.removeOne(factory_.ns(symbol_id), symbol_id, out);
       return;
     }
-    Marker label = brush_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);
+    Marker label = factory_.text(symbol_id, frame, beyond(from + way, way.normalized()), "\xCF\x84", kSymbolHeight);
     label.color = palette::torque();
-    stage.put(label, out);
+    tracker.put(label, out);
   };
   draw(kAtBody, kTorqueSymbol, names::kWorld, state.position, sizes_.reach + kTorqueBeyond,
        kHiddenShare * sizes_.reach);
-  draw(kAtMomentum, kTorqueAtMomentumSymbol, brush_.frames().space,
+  draw(kAtMomentum, kTorqueAtMomentumSymbol, factory_.frames().space,
        sizes_.metres_per_angular_momentum * state.momentum_world, kTorqueAtMomentum, 0);
 }
 

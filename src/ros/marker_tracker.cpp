@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "poinsot/ros/brush.h"
+#include "poinsot/ros/marker_factory.h"
 #include "poinsot/ros/names.h"
 
 namespace poinsot::node {
@@ -12,10 +12,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/** In the world's frame, so that RViz takes it in turn with the others whatever frames there are. */
-Marker deletion(const std::string& ns, int id) {
+Marker deletion(const std::string& ns, int id, const std::string& frame) {
   Marker out;
-  out.header.frame_id = names::kWorld;
+  out.header.frame_id = frame;
   out.ns = ns;
   out.id = id;
   out.action = Marker::DELETE;
@@ -23,7 +22,7 @@ Marker deletion(const std::string& ns, int id) {
   return out;
 }
 
-constexpr int kParts = 64;  // of a shape; those of a node that has ended and drew more stay where they are
+constexpr int kParts = 16;  // of a shape; those of a node that has ended and drew more stay where they are
 constexpr int kEffectIds = 5;
 
 }  // namespace
@@ -54,30 +53,58 @@ std::vector<MarkerSpace> markerSpaces(const std::string& body) {
   return out;
 }
 
+void MarkerTracker::put(const Marker& marker, MarkerArray& out) {
+  there_[{marker.ns, marker.id}] = marker.header.frame_id;
+  out.markers.push_back(marker);
+}
+
+MarkerTracker::Frames::iterator MarkerTracker::remove(Frames::iterator it, MarkerArray& out) {
+  out.markers.push_back(deletion(it->first.first, it->first.second, it->second));
+  return there_.erase(it);
+}
+
+void MarkerTracker::remove(const std::string& ns, int first_id, MarkerArray& out) {
+  auto it = there_.lower_bound({ns, first_id});
+  while (it != there_.end() && it->first.first == ns) it = remove(it, out);
+}
+
+void MarkerTracker::removeOne(const std::string& ns, int id, MarkerArray& out) {
+  const auto it = there_.find({ns, id});
+  if (it != there_.end()) remove(it, out);
+}
+
 void MarkerTracker::withdraw(const std::string& body) {
   const std::string prefix = names::markers(body, "");
   for (auto it = there_.lower_bound({prefix, 0});
-       it != there_.end() && it->first.compare(0, prefix.size(), prefix) == 0; ++it) {
-    to_go_.insert(*it);
+       it != there_.end() && it->first.first.compare(0, prefix.size(), prefix) == 0; ++it) {
+    to_go_.insert(it->first);
   }
 }
 
 void MarkerTracker::withdrawAll() {
-  to_go_.insert(there_.begin(), there_.end());
+  for (const auto& [key, frame] : there_) to_go_.insert(key);
 }
 
 void MarkerTracker::withdrawLeftovers(const std::string& body) {
   for (const MarkerSpace& space : markerSpaces(body)) {
-    for (int id = 0; id < space.ids; ++id) to_go_.insert({space.ns, id});
+    for (int id = 0; id < space.ids; ++id) {
+      const Key key(space.ns, id);
+      if (there_.count(key) == 0) to_go_.insert(key);
+    }
   }
+}
+
+void MarkerTracker::withdrawAgain() {
+  to_go_.insert(gone_.begin(), gone_.end());
 }
 
 void MarkerTracker::follow(MarkerArray& array) {
   for (const Marker& marker : array.markers) {
     const Key key(marker.ns, marker.id);
     to_go_.erase(key);
+    gone_.erase(key);
     if (marker.action == Marker::ADD) {
-      there_.insert(key);
+      there_[key] = marker.header.frame_id;
     } else {
       there_.erase(key);
     }
@@ -86,9 +113,11 @@ void MarkerTracker::follow(MarkerArray& array) {
   std::vector<Marker> markers;
   markers.reserve(to_go_.size() + array.markers.size());
   for (const Key& key : to_go_) {
-    markers.push_back(deletion(key.first, key.second));
+    // In the world's frame, so that RViz takes it in turn with the others, also where the marker's own frame has gone.
+    markers.push_back(deletion(key.first, key.second, names::kWorld));
     there_.erase(key);
   }
+  gone_.insert(to_go_.begin(), to_go_.end());
   to_go_.clear();
   std::move(array.markers.begin(), array.markers.end(), std::back_inserter(markers));
   array.markers = std::move(markers);

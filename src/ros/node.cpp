@@ -24,7 +24,7 @@ namespace {
 constexpr int kControlQueue = 100;
 constexpr std::chrono::seconds kPatience{1};  // with a job that was told to end
 const ros::WallDuration kPatienceForClock(3);
-const ros::WallDuration kStatusPause(0.1);
+const ros::WallDuration kStatusPause(0.095);  // ten times a second where one tick in a few is taken
 
 TickTimer::Mode pacing(bool publish_clock) {
   if (publish_clock) return TickTimer::Mode::own_clock;
@@ -35,12 +35,12 @@ session::Nanoseconds wallTime() {
   return static_cast<session::Nanoseconds>(ros::SteadyTime::now().toNSec());
 }
 
-/** By name or path, as a body's frames and meshes allow it. */
-session::NamedScene readScene(const std::string& name_or_path, const std::string& frame_prefix) {
+/** Where its meshes are there and its bodies' frames can be told from the world. */
+session::NamedScene readScene(const std::string& file, const std::string& frame_prefix) {
   session::NamedScene out;
-  out.file = sceneFile(name_or_path);
-  out.name = sceneName(out.file);
-  out.scene = scene::readFile(out.file);
+  out.file = file;
+  out.name = sceneName(file);
+  out.scene = scene::readFile(file);
   requireMeshes(out.scene);
   checkPrefix(frame_prefix, out.scene);
   return out;
@@ -62,9 +62,10 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
 
   session::Session::Options options;
   options.rate = parameters.rate;
-  options.read = [prefix = parameters.frame_prefix](const std::string& scene) { return readScene(scene, prefix); };
-  options.companions = [handle, prefix = parameters.frame_prefix](const auto& present, session::Redraw redraw) {
-    return topicsMaker(handle, prefix, present, redraw);
+  options.find = sceneFile;
+  options.read = [prefix = parameters.frame_prefix](const std::string& file) { return readScene(file, prefix); };
+  options.companions = [handle, prefix = parameters.frame_prefix](const auto& replaced, session::Redraw redraw) {
+    return topicsMaker(handle, prefix, replaced, redraw);
   };
   session::Built built = session::build(
       session::wholeScene(parameters.scene, parameters.rate, options.companions({}, session::Redraw::always)),
@@ -85,8 +86,6 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   diagnostics_ = std::make_unique<Diagnostics>(handle, own, parameters.rate, timer_, *session_);
   status_.publisher = own.advertise<NodeStatus>(names::kStatus, 10);
   status_.scenes = sceneNames();
-  // By the wall, so that one can tell a node whose clock stands still from one that is gone.
-  status_.timer = own.createWallTimer(kStatusPause, [this](const ros::WallTimerEvent&) { publishStatus(); });
   subscribers_ = {own.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
                   own.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
   viewer_.subscriber = own.subscribe(names::kViewpoint, 1, &Node::onViewpoint, this);
@@ -103,12 +102,12 @@ Node::~Node() {
 }
 
 void Node::run() {
-  topics_.publishStatic(*session_, toTime(timer_.stamp()));
+  topics_.begin(*session_, toTime(timer_.stamp()));
   const session::Nanoseconds began = wallTime();
   bool began_to_tick = false, said = false;
   for (TickTimer::Wake wake; (wake = timer_.wait(interrupted_)) != TickTimer::Wake::ended;) {
-    const session::Nanoseconds now = timer_.stamp();
     serve();
+    const session::Nanoseconds now = timer_.stamp();
     if (now == 0 && !began_to_tick && !said && wallTime() - began > kPatienceForClock.toNSec()) {
       warned("/use_sim_time is set, but nobody publishes /clock: nothing moves until somebody does");
       said = true;
@@ -121,6 +120,7 @@ void Node::run() {
     }
     handles_->update(*session_);
     diagnostics_->update();
+    publishStatus();
   }
 }
 
@@ -163,7 +163,9 @@ void Node::onViewpoint(const geometry_msgs::PointStamped& message) {
 }
 
 void Node::publishStatus() {
-  if (status_.publisher.getNumSubscribers() == 0) return;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (status_.publisher.getNumSubscribers() == 0 || now - status_.sent < kStatusPause) return;
+  status_.sent = now;
   status_.publisher.publish(statusMessage(*session_, parameters_.rate, status_.scenes));
 }
 
@@ -185,7 +187,7 @@ void Node::previewEnded(const std::string& body) {
   topics_.previewEnded(*session_, body);
 }
 
-void Node::keepsAnotherEllipsoid(view::Keep keep) {
+void Node::keepsAnotherEllipsoid(view::ConservedQuantity keep) {
   handles_->showKept(keep);
 }
 

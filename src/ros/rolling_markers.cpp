@@ -43,9 +43,9 @@ std::string turnsAboutMomentum(double angle) {
   return text;
 }
 
-Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double metres, double radius) {
-  Marker m =
-      brush.marker(brush.ns(names::kSpace, names::kInvariablePlane), 0, Marker::TRIANGLE_LIST, brush.frames().space);
+Marker discOf(const MarkerFactory& factory, const view::InvariablePlane& plane, double metres, double radius) {
+  Marker m = factory.marker(factory.ns(names::kSpace, names::kInvariablePlane), 0, Marker::TRIANGLE_LIST,
+                            factory.frames().space);
   m.pose.position = toPoint(metres * plane.distance * plane.normal);
   m.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), plane.normal));
   const auto rim = [radius](int i) {
@@ -66,18 +66,18 @@ Marker discOf(const Brush& brush, const view::InvariablePlane& plane, double met
 
 }  // namespace
 
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, const Eigen::Vector3d& words_place,
-                   MarkerArray& out) {
+void appendRolling(const MarkerFactory& factory, const ClosedForm& motion, double metres,
+                   const Eigen::Vector3d& words_place, MarkerArray& out) {
   const view::InvariablePlane plane = view::invariablePlane(motion);
   if (plane.normal.isZero(0)) return;
   const view::Herpolhode herpolhode = view::herpolhode(motion);
   const double outer = metres * herpolhode.outer;
-  out.markers.push_back(discOf(brush, plane, metres, std::max(kLeastPlaneRadius, outer + kBeyondHerpolhode)));
+  out.markers.push_back(discOf(factory, plane, metres, std::max(kLeastPlaneRadius, outer + kBeyondHerpolhode)));
 
   const std::vector<Eigen::Vector3d>& points = herpolhode.curve.points;
   const bool is_point = points.size() == 1;
-  Marker curve = brush.marker(brush.ns(names::kSpace, names::kHerpolhode), 0,
-                              is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP, brush.frames().space);
+  Marker curve = factory.marker(factory.ns(names::kSpace, names::kHerpolhode), 0,
+                                is_point ? Marker::SPHERE_LIST : Marker::LINE_STRIP, factory.frames().space);
   for (const Eigen::Vector3d& p : points) curve.points.push_back(toPoint(kPolhodeLift * metres * p));
   if (herpolhode.curve.closed) curve.points.push_back(curve.points.front());
   curve.scale = is_point ? toVector3(Eigen::Vector3d::Constant(kPointDiameter)) : toVector3({kHerpolhodeWidth, 0, 0});
@@ -88,7 +88,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   const double angle = motion.montgomeryAngle();
   if (!std::isfinite(angle)) return;
   const Eigen::Vector3d foot = metres * plane.distance * plane.normal;
-  Marker words = brush.text(kTurn, names::kWorld, words_place, turnsAboutMomentum(angle), kTurnHeight);
+  Marker words = factory.text(kTurn, names::kWorld, words_place, turnsAboutMomentum(angle), kTurnHeight);
   words.color = palette::angularMomentum();
   words.frame_locked = true;
   out.markers.push_back(words);
@@ -99,7 +99,7 @@ void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, 
   const Eigen::Vector3d spoke = metres * (state.attitude * state.omega_body) - foot;
   const Eigen::Vector3d rim = (1 + kArcBeyond / outer) * (spoke - spoke.dot(plane.normal) * plane.normal);
   Marker sector =
-      brush.marker(brush.ns(names::kSpace, names::kMontgomery), 0, Marker::LINE_STRIP, brush.frames().space);
+      factory.marker(factory.ns(names::kSpace, names::kMontgomery), 0, Marker::LINE_STRIP, factory.frames().space);
   const auto add = [&](const Eigen::Vector3d& p) { sector.points.push_back(toPoint(kPolhodeLift * p)); };
   const int pieces = std::max(1, static_cast<int>(std::ceil(rest / kArcSpacing)));
   add(foot);

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "poinsot/ros/body_messages.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/ros/names.h"
 
 namespace poinsot::node {
@@ -16,6 +18,7 @@ using visualization_msgs::MarkerArray;
 
 constexpr std::uint64_t kFirstStamp = 1000000000;  // ns: not zero, which ROS reads as "no time yet"
 const ros::Duration kRepeatAfter(2);
+constexpr std::size_t kMostCleared = 100;  // bodies: of more than that, nothing is deleted at first
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 ros::Time stampAt(double t) {
@@ -85,11 +88,6 @@ void SceneBag::writeStatic() {
     putLatched(entry.description, descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
   }
   putLatched("/tf_static", transforms);
-  // Who replays it may still have what another recording of these bodies drew.
-  for (const Entry& entry : entries_) {
-    moving_markers_.withdrawLeftovers(entry.body.name());
-    still_markers_.withdrawLeftovers(entry.body.name());
-  }
   writeStaticMarkers();
   static_markers_repeated_ = false;
 }
@@ -100,7 +98,7 @@ void SceneBag::writeStaticMarkers() {
   if (!markers_) return;
   MarkerArray markers;
   for (const Entry& entry : entries_) entry.picture->appendStatic(markers);
-  still_markers_.follow(markers);
+  clearLeftovers(still_cleared_, markers);
   putLatched(absolute(names::kMarkersStatic), markers);
 }
 
@@ -122,8 +120,16 @@ void SceneBag::writeMoving(const session::Tick& tick) {
     entry.picture->appendFigures(
         tick, {body.attitudeError(), body.energyDrift(), kNotMeasured, body.state().kinetic_energy}, markers);
   }
-  moving_markers_.follow(markers);
+  clearLeftovers(moving_cleared_, markers);
   if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);
+}
+
+// Who replays it may still have what another recording of these bodies drew.
+void SceneBag::clearLeftovers(bool& cleared, MarkerArray& markers) const {
+  if (std::exchange(cleared, true) || entries_.size() > kMostCleared) return;
+  MarkerTracker tracker;
+  for (const Entry& entry : entries_) tracker.withdrawLeftovers(entry.body.name());
+  tracker.follow(markers);
 }
 
 void SceneBag::close() {

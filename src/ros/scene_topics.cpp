@@ -21,7 +21,7 @@ const ros::WallDuration kResendAfterScene(0.5);  // its frames are new to everyb
 const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new viewer is given the last one
 const ros::WallDuration kPreviewPause(0.05);
 const ros::WallDuration kYouth(10);        // in which viewers of a node that was restarted connect again
-constexpr std::size_t kMostCleared = 500;  // bodies: of more than that, what a node before has left is not deleted
+constexpr std::size_t kMostCleared = 100;  // bodies: of more than that, what a node before has left is not deleted
 
 BodyPicture::Figures figuresOf(const session::Body& body) {
   return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
@@ -29,7 +29,7 @@ BodyPicture::Figures figuresOf(const session::Body& body) {
 
 }  // namespace
 
-SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle), began_(ros::SteadyTime::now()) {
+SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle) {
   // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
   tf_ = handle_.advertise<tf2_msgs::TFMessage>(
       names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
@@ -44,6 +44,11 @@ SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle), began
       names::kMarkersStatic, 1,
       [this](const ros::SingleSubscriberPublisher&) { resend_static_at_ = ros::SteadyTime::now() + kResendAfter; },
       ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
+}
+
+void SceneTopics::begin(const Session& session, const ros::Time& stamp) {
+  began_ = ros::SteadyTime::now();
+  publishStatic(session, stamp);
 }
 
 void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) {
@@ -97,6 +102,7 @@ void SceneTopics::publishStaticMarkers(const Session& session) {
   MarkerArray markers;
   for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().appendStatic(markers);
   still_.withdrawAll();
+  still_.withdrawAgain();  // a viewer that is slow is sent the last of several messages only
   withdrawLeftovers(session, still_);
   still_.follow(markers);
   static_markers_.publish(markers);
@@ -108,6 +114,7 @@ void SceneTopics::resendStatic(const Session& session) {
   if (!resend_static_at_ || ros::SteadyTime::now() < *resend_static_at_) return;
   resend_static_at_.reset();
   publishStaticMarkers(session);
+  still_.forgetGone();
 }
 
 void SceneTopics::publish(const Session& session, const session::Tick& tick) {

@@ -25,7 +25,15 @@ class Posted : public ros::CallbackInterface {
   std::future<session::Answer> answer() { return answer_->get_future(); }
 
   CallResult call() override {
-    ask_(request_, [answer = answer_](const session::Answer& given) { answer->set_value(given); });
+    try {
+      ask_(request_, [answer = answer_](const session::Answer& given) { answer->set_value(given); });
+    } catch (const std::exception&) {
+      // Whoever waits is told. Where the answer has been given, the fault is another's, who asks next.
+      try {
+        answer_->set_exception(std::current_exception());
+      } catch (const std::future_error&) {
+      }
+    }
     return Success;
   }
 

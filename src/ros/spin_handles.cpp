@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "poinsot/ros/body_topics.h"
-#include "poinsot/ros/brush.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/marker_factory.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/palette.h"
 
@@ -64,7 +64,7 @@ HandleEvent meaning(HandleEvent::Kind kind) {
   return out;
 }
 
-HandleEvent keeping(view::Keep keep) {
+HandleEvent keeping(view::ConservedQuantity keep) {
   HandleEvent out = meaning(HandleEvent::Kind::keep);
   out.keep = keep;
   return out;
@@ -85,8 +85,8 @@ SpinHandles::SpinHandles(const ros::NodeHandle& private_handle)
           handle_.advertise<visualization_msgs::InteractiveMarkerUpdate>(std::string(names::kGrip) + "/update", 100)) {
   using Kind = HandleEvent::Kind;
   const auto lead = menu_.insert("Lead Omega over the");
-  keep_energy_ = entry(lead, "energy ellipsoid (E stays)", keeping(view::Keep::energy));
-  keep_momentum_ = entry(lead, "momentum ellipsoid (|L| stays)", keeping(view::Keep::momentum));
+  keep_energy_ = entry(lead, "energy ellipsoid (E stays)", keeping(view::ConservedQuantity::energy));
+  keep_momentum_ = entry(lead, "momentum ellipsoid (|L| stays)", keeping(view::ConservedQuantity::momentum));
   const auto spin = menu_.insert("Spin exactly about the axis of");
   entry(spin, "smallest moment", spinning(Kind::axis, view::Axis::smallest));
   entry(spin, "intermediate moment", spinning(Kind::axis, view::Axis::intermediate));
@@ -100,7 +100,7 @@ SpinHandles::SpinHandles(const ros::NodeHandle& private_handle)
   meaning_[separatrix] = meaning(Kind::separatrix);
   const auto reset = menu_.insert("Reset: the scene's own spins", [this](const Feedback& f) { add(f); });
   meaning_[reset] = meaning(Kind::reset);
-  showKept(view::Keep::energy);
+  showKept(view::ConservedQuantity::energy);
 }
 
 MenuHandler::EntryHandle SpinHandles::entry(MenuHandler::EntryHandle parent, const std::string& title,
@@ -157,9 +157,11 @@ void SpinHandles::removeAll() {
   places_.clear();
 }
 
-void SpinHandles::showKept(view::Keep keep) {
-  menu_.setCheckState(keep_energy_, keep == view::Keep::energy ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
-  menu_.setCheckState(keep_momentum_, keep == view::Keep::momentum ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+void SpinHandles::showKept(view::ConservedQuantity keep) {
+  menu_.setCheckState(keep_energy_,
+                      keep == view::ConservedQuantity::energy ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+  menu_.setCheckState(keep_momentum_,
+                      keep == view::ConservedQuantity::momentum ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
   menu_.reApply(server_);
 }
 

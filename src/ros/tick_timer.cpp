@@ -52,8 +52,8 @@ TickTimer::Wake TickTimer::waitSteady(const std::atomic<bool>& interrupted) {
 
 TickTimer::Wake TickTimer::waitForeign(const std::atomic<bool>& interrupted) {
   const Steady::time_point begin = Steady::now();
+  callbacks_.callAvailable();
   while (ros::ok() && !interrupted) {
-    callbacks_.callAvailable(toWallDuration(kLook));
     const ros::Time now = ros::Time::now();
     const bool jumped_back = now < foreign_last_;
     if (!now.isZero() && (jumped_back || now >= foreign_due_)) {
@@ -64,6 +64,7 @@ TickTimer::Wake TickTimer::waitForeign(const std::atomic<bool>& interrupted) {
       return Wake::due;
     }
     if (Steady::now() - begin >= kLongestSleep) return Wake::idle;
+    callbacks_.callAvailable(toWallDuration(kLook));
   }
   return Wake::ended;
 }

@@ -137,13 +137,13 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
       step->refuse("no method is named that would take it",
                    "no step, or one beside a method: " + joined(candidatesUnder(sumOf(body.inertia, body.effects))));
     }
-    Accuracy wish;
-    wish.error = kDefaultAccuracy;
-    wish.horizon = options.horizon.value_or(kDefaultHorizon);
-    wish.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
-    wish.place = fields.place().message("");
-    wish.by_default = true;
-    body.accuracy = wish;
+    Accuracy accuracy;
+    accuracy.error = kDefaultAccuracy;
+    accuracy.horizon = options.horizon.value_or(kDefaultHorizon);
+    accuracy.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
+    accuracy.place = fields.place().message("");
+    accuracy.by_default = true;
+    body.accuracy = accuracy;
     return;
   }
   if (body.effects.empty() && body.method == kClosedForm) {

@@ -6,7 +6,7 @@
 
 #include "limits.h"
 #include "poinsot/cost/cancelled.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 
 namespace poinsot::session {
 namespace {
@@ -23,16 +23,17 @@ void advance(Body& body, double time, const std::atomic<bool>& cancelled) {
 
 }  // namespace
 
-Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& read) {
+Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& read,
+                 const std::atomic<bool>& cancelled) {
   Prepared out;
   out.draft = std::move(draft);
   for (const Asked& one : asked) {
+    cost::throwIf(cancelled);
     try {
       out.answers.push_back(apply(one, out.draft, read));
     } catch (const std::exception& error) {
       Answer answer;
       answer.refusal.emplace();
-      answer.refusal->requests = {one.request};
       answer.refusal->detail = error.what();
       out.answers.push_back(answer);
     }
@@ -54,7 +55,7 @@ Built build(BuildOrder order, const std::atomic<bool>& cancelled) {
   Built out;
   scene::Scene part;
   for (const std::size_t i : order.bodies) part.bodies.push_back(order.scene.bodies[i]);
-  out.choices = cost::settleMethods(part, order.rate, cancelled);
+  out.choices = cost::resolveAccuracies(part, order.rate, cancelled);
   for (std::size_t k = 0; k < order.bodies.size(); ++k) {
     cost::throwIf(cancelled);
     const scene::Body& body = part.bodies[k];

@@ -14,13 +14,17 @@ namespace {
 
 /** The request takes the place of what asked for the same before. */
 void note(const Request& request, Draft& draft) {
-  const bool known = std::any_of(draft.requests.begin(), draft.requests.end(),
-                                 [&](const Request& other) { return sameKind(request, other); });
-  if (!known) draft.requests.push_back(request);
+  const auto known = std::find_if(draft.requests.begin(), draft.requests.end(),
+                                  [&](const Request& other) { return sameKind(request, other); });
+  if (known == draft.requests.end()) {
+    draft.requests.push_back(request);
+  } else {
+    *known = request;
+  }
 }
 
 Answer load(const LoadScene& request, Draft& draft, const ReadScene& read) {
-  NamedScene found = read(request.scene.empty() ? draft.file : request.scene);
+  NamedScene found = read(request.scene);
   Draft out;
   Answer answer;
   answer.warnings = found.scene.warnings;
@@ -30,7 +34,7 @@ Answer load(const LoadScene& request, Draft& draft, const ReadScene& read) {
   out.name = std::move(found.name);
   out.file = std::move(found.file);
   out.all = out.from_start = true;
-  out.requests = {LoadScene{out.name}};
+  out.requests = {request};
   draft = std::move(out);
   return answer;
 }
@@ -99,9 +103,9 @@ bool sameStart(const scene::Body& a, const scene::Body& b) {
   return same_place && a.omega_body == b.omega_body && a.attitude.coeffs() == b.attitude.coeffs();
 }
 
-bool startsDiffer(const Draft& draft) {
-  for (std::size_t i = 0; i < draft.scene.bodies.size(); ++i) {
-    if (!sameStart(draft.scene.bodies[i], draft.start_scene.bodies[i])) return true;
+bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!sameStart(scene.bodies[i], start_scene.bodies[i])) return true;
   }
   return false;
 }

@@ -51,11 +51,11 @@ std::optional<Tick> Session::tick(Nanoseconds stamp) {
   if (clock_.jumpedBack(stamp)) {
     clock_.restartStamps();
     listener_.stampsJumpedBack();
-  } else if (!std::isfinite(clock_.timeAt(stamp))) {
+  } else if (!std::isfinite(clock_.nextTime(stamp))) {
     listener_.timeLeftTheRange(clock_.time(), clock_.speed());
     clock_.pause(true);
     clock_.restartStamps();
-  } else if (stepsTo(bodies_, clock_.timeAt(stamp)) > kMostTickSteps) {
+  } else if (stepsTo(bodies_, clock_.nextTime(stamp)) > kMostTickSteps) {
     listener_.stampsJumpedAhead(toSeconds(stamp - clock_.stamp()));
     clock_.restartStamps();
   }
@@ -75,14 +75,17 @@ void Session::ask(const Request& request, const Reply& reply) {
   } else if (const auto* speed = std::get_if<SetSpeed>(&request)) {
     answer = setSpeed(*speed);
   } else if (const auto* sought = std::get_if<Seek>(&request)) {
-    // Before a start at t = 0 it would be undone by that.
-    const bool starts_anew = !queue_.empty() || (draft_ && draft_->from_start);
-    if (starts_anew && !loading() && std::isfinite(sought->time)) return enqueue(request, reply);
-    answer = seek(sought->time);
+    const bool waits = !loading() && std::isfinite(sought->time);
+    if (waits && !queue_.empty()) return enqueue(request, reply);
+    if (waits && draft_ && draft_->from_start) {
+      draft_->seek = sought->time;  // before the start at t = 0 it would be undone by that
+    } else {
+      answer = seek(sought->time);
+    }
   } else if (std::holds_alternative<Reset>(request)) {
     endDrag();
     stopSeeking();
-    const bool changes_bodies = draft_ || !queue_.empty() || startsDiffer(present());
+    const bool changes_bodies = draft_ || !queue_.empty() || startsDiffer(playing_.scene, start_scene_);
     if (changes_bodies && !loading()) return enqueue(request, reply);
     answer = resetNow();
   } else {

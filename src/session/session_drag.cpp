@@ -91,7 +91,7 @@ void Session::lead(const HandleEvent& event, Nanoseconds now, const std::optiona
     start.method = kClosedForm;  // only its start is looked at
     start.step.reset();
   }
-  preview_ = std::make_unique<Body>(start, options_.companions(bodies_, Redraw::never));
+  preview_ = std::make_unique<Body>(start, options_.companions({bodies_[i].get()}, Redraw::never));
   listener_.previewChanged(body.name());
 }
 
@@ -101,8 +101,9 @@ void Session::letGo() {
     return;
   }
   drag_.letGo();
-  ask(SetSpin{drag_.body(), drag_.omegaBody()}, [this](const Answer& answer) {
-    if (answer.refusal) endDrag();
+  ask(SetSpin{drag_.body(), drag_.omegaBody()}, [this, body = drag_.body()](const Answer& answer) {
+    const bool still = drag_.state() == SpinDrag::State::let_go && drag_.isOn(body);
+    if (answer.refusal && still) endDrag();
   });
 }
 

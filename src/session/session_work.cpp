@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "limits.h"
+#include "poinsot/cost/cancelled.h"
+#include "poinsot/scene/changes.h"
 #include "poinsot/scene/reader.h"
 #include "poinsot/session/session.h"
 
@@ -14,6 +16,26 @@ namespace {
 /** Takes no longer than a tick may: needs neither a file nor trials of a step. */
 bool isQuick(const Request& request) {
   return !std::holds_alternative<LoadScene>(request) && !std::holds_alternative<SetMethod>(request);
+}
+
+/** What can be said of a method without a trial, before work that is under way is given up for it. Throws scene::Error.
+ */
+void requireMethod(const scene::Scene& scene, const SetMethod& request) {
+  const scene::Body& body = scene.bodies[indexOf(scene, request.body)];
+  const std::vector<std::string> names = scene::methodsFor(body);
+  if (std::find(names.begin(), names.end(), request.method) != names.end()) return;
+  std::vector<std::string> warnings;
+  scene::withMethod(body, request.method, request.step, warnings);  // throws, with the methods that there are
+}
+
+/** The answers where preparing itself has failed. */
+Prepared nothingPrepared(std::size_t asked, const std::string& problem) {
+  Prepared out;
+  Answer answer;
+  answer.refusal.emplace();
+  answer.refusal->detail = problem;
+  out.answers.assign(asked, answer);
+  return out;
 }
 
 }  // namespace
@@ -39,8 +61,11 @@ void Session::enqueue(const Request& request, const Reply& reply) {
     if (auto* load = std::get_if<LoadScene>(&one.asked.request)) {
       if (load->scene.empty()) load->scene = playing_.file;
       if (load->scene.empty()) throw scene::Error("the present scene came without a file; allowed: a name or a path");
+      load->scene = options_.find(load->scene);
     } else if (loading()) {
       throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+    } else if (const auto* method = std::get_if<SetMethod>(&request)) {
+      requireMethod(playing_.scene, *method);
     } else if (const auto* spin = std::get_if<SetSpin>(&request)) {
       one.asked.state = bodies_[indexOf(playing_.scene, spin->body)]->state();
     }
@@ -66,7 +91,7 @@ void Session::startNext() {
     if (std::all_of(queue_.begin(), queue_.end(), [](const Waiting& one) { return isQuick(one.asked.request); })) {
       std::vector<Asked> asked;
       for (const Waiting& one : queue_) asked.push_back(one.asked);
-      takeAnswers(prepare(draft_ ? *draft_ : present(), asked, options_.read));
+      takeAnswers(prepare(draft_ ? *draft_ : present(), asked, options_.read, cost::kNeverCancelled));
     } else if (job_.busy()) {
       dropWork();
     } else {
@@ -84,30 +109,34 @@ void Session::startNext() {
 void Session::startPreparing() {
   std::vector<Asked> asked;
   for (const Waiting& one : queue_) asked.push_back(one.asked);
-  work_ = {Work::Kind::preparing, false};
-  job_.start([draft = draft_ ? *draft_ : present(), asked, read = options_.read](const std::atomic<bool>&) {
-    return Outcome(prepare(draft, asked, read));
+  job_.start([draft = draft_ ? *draft_ : present(), asked, read = options_.read](const std::atomic<bool>& cancelled) {
+    return Outcome(prepare(draft, asked, read, cancelled));
   });
+  work_ = {Work::Kind::preparing, false, asked.size()};
 }
 
 void Session::build() {
   const Redraw redraw = draft_->all || draft_->redraw ? Redraw::always : Redraw::where_it_has_to_be;
-  BuildOrder order = wholeScene(draft_->scene, options_.rate, options_.companions(bodies_, redraw));
+  std::vector<const Body*> replaced;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (draft_->all || draft_->bodies.count(i) > 0) replaced.push_back(bodies_[i].get());
+  }
+  BuildOrder order = wholeScene(draft_->scene, options_.rate, options_.companions(replaced, redraw));
   if (!draft_->all) order.bodies.assign(draft_->bodies.begin(), draft_->bodies.end());
   order.time = comingTime();
-  work_ = {Work::Kind::building, false};
   job_.start([order = std::move(order)](const std::atomic<bool>& cancelled) {
     return Outcome(session::build(order, cancelled));
   });
+  work_ = {Work::Kind::building, false, 0};
 }
 
 void Session::startSeeking() {
   std::vector<Motion> motions;
   for (const auto& body : bodies_) motions.push_back(body->motion());
-  work_ = {Work::Kind::seeking, false};
   job_.start([motions = std::move(motions), time = *seek_](const std::atomic<bool>& cancelled) {
     return Outcome(advanced(motions, time, cancelled));
   });
+  work_ = {Work::Kind::seeking, false, 0};
 }
 
 double Session::comingTime() const {
@@ -131,21 +160,24 @@ void Session::takeAnswers(Prepared&& prepared) {
                                    std::make_move_iterator(queue_.begin() + static_cast<std::ptrdiff_t>(count)));
   queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
   bool changed = false;
-  for (const Answer& answer : prepared.answers) {
+  for (std::size_t k = 0; k < count; ++k) {
+    Answer& answer = prepared.answers[k];
     if (answer.refusal) {
+      answer.refusal->requests = {asked[k].asked.request};
       refuse(*answer.refusal);
     } else {
-      changed = true;
+      changed = changed || !std::holds_alternative<Seek>(asked[k].asked.request);
       for (const std::string& warning : answer.warnings) listener_.warned(warning);
     }
   }
-  std::optional<double> sought;  // that nothing which begins at t = 0 would undo
+  std::optional<double> sought;  // at once: nothing that begins at t = 0 would undo it
   if (!prepared.draft.from_start) sought = std::exchange(prepared.draft.seek, std::nullopt);
-  if (changed && !prepared.draft.requests.empty()) {
+  if (changed) {
     if (prepared.draft.all) endDrag();
-    if (prepared.draft.from_start) seek_.reset();
     draft_ = std::move(prepared.draft);
     dropWork();
+  } else if (draft_ && prepared.draft.seek) {
+    draft_->seek = prepared.draft.seek;
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (asked[k].reply) asked[k].reply(prepared.answers[k]);
@@ -166,7 +198,7 @@ void Session::takeOutcome() {
   if (done.stale) return;
   switch (done.kind) {
     case Work::Kind::preparing:
-      if (outcome) takeAnswers(std::get<Prepared>(std::move(*outcome)));
+      takeAnswers(outcome ? std::get<Prepared>(std::move(*outcome)) : nothingPrepared(done.asked, problem));
       return;
     case Work::Kind::building:
       if (outcome) {
@@ -178,21 +210,20 @@ void Session::takeOutcome() {
         giveUpDraft(std::move(refusal));
       }
       return;
-    case Work::Kind::seeking: {
-      const double time = *std::exchange(seek_, std::nullopt);
+    case Work::Kind::seeking:
       if (outcome) {
         Advanced& there = std::get<Advanced>(*outcome);
+        seek_.reset();
         for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(there.motions[i]));
-        jumpTo(time);
+        jumpTo(there.time);
       } else {
         Refusal refusal;
         refusal.reason = Reason::no_state;
-        refusal.requests = {Seek{time}};
+        refusal.requests = {Seek{*std::exchange(seek_, std::nullopt)}};
         refusal.detail = problem;
         refuse(std::move(refusal));
       }
       return;
-    }
     case Work::Kind::none:
       return;
   }
@@ -210,12 +241,12 @@ void Session::takeBuilt(Built&& built) {
     exchange(std::move(built));
     return;
   }
-  work_ = {Work::Kind::building, false};
   job_.start(
       [built = std::make_shared<Built>(std::move(built)), time = comingTime()](const std::atomic<bool>& cancelled) {
         advance(*built, time, cancelled);
         return Outcome(std::move(*built));
       });
+  work_ = {Work::Kind::building, false, 0};
 }
 
 void Session::giveUpDraft(Refusal refusal) {
@@ -229,10 +260,12 @@ void Session::giveUpDraft(Refusal refusal) {
 
 void Session::exchange(Built&& built) {
   for (const std::string& choice : built.choices) listener_.chose(choice);
+  const double time = comingTime();
   const Draft draft = *std::exchange(draft_, std::nullopt);
-  const double time = draft.from_start ? 0 : clock_.comingTime();
   std::vector<std::string> names;
   for (const auto& body : built.bodies) names.push_back(body->name());
+  if (draft.all || std::find(names.begin(), names.end(), drag_.body()) != names.end()) preview_.reset();
+  endDrag();
   if (draft.all) {
     bodies_ = std::move(built.bodies);
   } else {
@@ -250,13 +283,8 @@ void Session::exchange(Built&& built) {
     clock_.beginSegment();
   }
   refusal_.reset();
-  if (drag_.state() != SpinDrag::State::free) {
-    clock_.pause(drag_.wasPaused());
-    drag_.end();
-    preview_.reset();
-  }
   listener_.bodiesChanged(names, draft.all);
-  if (seek_) seek(*seek_);  // with what moves now
+  if (const std::optional<double> sought = std::exchange(seek_, std::nullopt)) seek(*sought);  // with what moves now
 }
 
 }  // namespace poinsot::session

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "poinsot/cost/cancelled.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/ros/interrupt.h"
 #include "poinsot/ros/meshes.h"
 #include "poinsot/ros/node.h"
@@ -43,7 +43,7 @@ int check(const std::string& file) {
     poinsot::node::requireMeshes(scene);
     for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
     const double rate = scene.rate.value_or(poinsot::scene::kDefaultRate);
-    for (const std::string& choice : poinsot::cost::settleMethods(scene, rate)) std::cout << choice << "\n";
+    for (const std::string& choice : poinsot::cost::resolveAccuracies(scene, rate)) std::cout << choice << "\n";
     poinsot::tools::flushStandardOutput();
     return 0;
   } catch (const poinsot::scene::Error& error) {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "cost_breakdown_text.h"
 #include "csv_rows.h"
-#include "ledger_text.h"
 #include "output_file.h"
 #include "poinsot/core/number_text.h"
-#include "poinsot/cost/ledger.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/cost_breakdown.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 #include "standard_output.h"
@@ -78,7 +78,7 @@ void checkSize(const scene::Scene& scene, double duration, double rate) {
 
 /** Settles methods. @return why each body has its own. */
 std::vector<std::string> reasons(scene::Scene& scene, double rate) {
-  const std::vector<std::string> choices = cost::settleMethods(scene, rate);
+  const std::vector<std::string> choices = cost::resolveAccuracies(scene, rate);
   std::vector<std::string> out;
   std::size_t next = 0;
   for (const scene::Body& body : scene.bodies) {
@@ -94,7 +94,7 @@ std::vector<std::string> reasons(scene::Scene& scene, double rate) {
   return out;
 }
 
-cost::Ledger measure(const scene::Body& body, double duration, double rate) {
+cost::CostBreakdown measure(const scene::Body& body, double duration, double rate) {
   try {
     return cost::measureLedger(scene::motionSetup(body), duration, rate);
   } catch (const std::runtime_error& error) {  // range_error, NoConvergence
@@ -119,9 +119,9 @@ void run(const Options& options, const std::optional<double>& given_duration, co
   if (!options.csv.empty() && !csv_alone) file.emplace(options.csv, OutputFile::Kind::any);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const scene::Body& body = scene.bodies[i];
-    const cost::Ledger ledger = measure(body, duration, rate);
-    text += "\n" + tools::ledgerText(body, why[i], ledger);
-    csv += tools::ledgerRows(body, ledger);
+    const cost::CostBreakdown breakdown = measure(body, duration, rate);
+    text += "\n" + tools::costBreakdownText(body, why[i], breakdown);
+    csv += tools::costBreakdownRows(body, breakdown);
   }
   if (file) {
     tools::TextSink sink(file->descriptor(), options.csv);

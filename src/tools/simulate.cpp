@@ -17,7 +17,7 @@
 #include "output_file.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/number_text.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/ros/scene_bag.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
@@ -175,7 +175,7 @@ void run(const Options& options) {
   const double rate = given_rate.value_or(scene.rate.value_or(scene::kDefaultRate));
   const tools::SampleTimes times(duration, rate);
   checkSize(options, scene, duration, rate, times);
-  say(cost::settleMethods(scene, rate));
+  say(cost::resolveAccuracies(scene, rate));
   checkSize(options, scene, duration, rate, times);
 
   const bool to_stdout = options.csv == kStandardOutput;

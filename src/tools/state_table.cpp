@@ -7,9 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "poinsot/scene/motion_setup.h"
-
 #include "poinsot/core/number_text.h"
+#include "poinsot/scene/motion_setup.h"
 
 namespace poinsot::tools {
 namespace {

@@ -30,23 +30,25 @@ long double residual(const SortedAxes& axes, const Eigen::Vector3d& omega) {
 
 }  // namespace
 
-Eigen::Vector3d keptSemiAxes(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep) {
+Eigen::Vector3d keptSemiAxes(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep) {
   const double unit = omega.cwiseAbs().maxCoeff();  // squares stay in the range of doubles
   const Eigen::Vector3d o = omega / unit;
   const Eigen::Vector3d m = moments / moments.maxCoeff();
-  const Eigen::Vector3d axes = keep == Keep::energy ? energySemiAxes(m, 0.5 * o.dot(m.cwiseProduct(o)))
-                                                    : momentumSemiAxes(m, m.cwiseProduct(o).squaredNorm());
+  const Eigen::Vector3d axes = keep == ConservedQuantity::energy ? energySemiAxes(m, 0.5 * o.dot(m.cwiseProduct(o)))
+                                                                 : momentumSemiAxes(m, m.cwiseProduct(o).squaredNorm());
   return unit * axes;
 }
 
-Eigen::Vector3d axisSpin(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep, Axis axis) {
+Eigen::Vector3d axisSpin(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep,
+                         Axis axis) {
   const int i = SortedAxes(moments).index[static_cast<int>(axis)];
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
   out[i] = signOf(omega[i]) * keptSemiAxes(moments, omega, keep)[i];
   return out;
 }
 
-Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep, Axis axis) {
+Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep,
+                         Axis axis) {
   const SortedAxes axes(moments);
   const bool unstable = axis == Axis::intermediate;
   const double angle = unstable ? kNearUnstableAxis : kNearStableAxis;
@@ -57,7 +59,7 @@ Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& 
   return keptSemiAxes(moments, omega, keep).cwiseProduct(u);
 }
 
-Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep) {
+Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep) {
   const SortedAxes axes(moments);
   if (!(axes.moment[0] < axes.moment[1] && axes.moment[1] < axes.moment[2])) {
     throw std::invalid_argument("two moments are equal: there is no separatrix");

@@ -533,7 +533,7 @@ TEST(HardEffects, stepsThatSufficeAreNotCut) {
                                        {GravityGradient{0.02, {0, 0, 1}, {1, 0, 0}}},
                                        {ViscousDamping{{3e-3, 3e-3, 3e-3}}}};
   const double end = 100;
-  const int steps = 96;
+  const int steps = 104;
   for (const std::vector<Effect>& effects : cases) {
     MotionSetup setup = torquedBody(effects, "taylor12", end / steps);
     setup.inertia = PrincipalInertia::fromMoments({1, 2, 3});

@@ -9,7 +9,7 @@
 #include "poinsot/core/stepper.h"
 #include "poinsot/core/torque_stepper.h"
 #include "poinsot/cost/method_costs.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/reader.h"
 
@@ -38,7 +38,7 @@ TEST(NominalCosts, chooseTheSameEveryTime) {
         YAML::Load("bodies: [{name: top, inertia: [1, 2, 3], angular_velocity: [0.3, 1, 0.2], method: stepper, "
                    "accuracy: 1e-7, horizon: 20}]"),
         "scene");
-    out = cost::settleMethods(scene, 60);
+    out = cost::resolveAccuracies(scene, 60);
     EXPECT_TRUE(scene.bodies[0].step);
   }
   EXPECT_EQ(sentences[0], sentences[1]);

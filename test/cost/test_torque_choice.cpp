@@ -10,7 +10,7 @@
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/torque_stepper.h"
 #include "poinsot/cost/method_costs.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/reader.h"
 
@@ -156,7 +156,7 @@ TEST(TorqueChoice, aSceneThatNamesNoAccuracyIsMovedAsWellAsCanBeAndOneThatDoesIs
   scene::ReadOptions options;
   options.horizon = 500;
   scene::Scene scene = scene::readTree(YAML::Load(kChaotic + "}]"), "tree", options);
-  const std::vector<std::string> said = cost::settleMethods(scene, kRate);
+  const std::vector<std::string> said = cost::resolveAccuracies(scene, kRate);
   ASSERT_EQ(said.size(), 1u);
   EXPECT_NE(said[0].find("as near as doubles come"), std::string::npos) << said[0];
   EXPECT_EQ(scene.bodies[0].method, "taylor24");
@@ -164,7 +164,7 @@ TEST(TorqueChoice, aSceneThatNamesNoAccuracyIsMovedAsWellAsCanBeAndOneThatDoesIs
 
   scene = scene::readTree(YAML::Load(kChaotic + ", accuracy: 1e-6}]"), "tree", options);
   try {
-    cost::settleMethods(scene, kRate);
+    cost::resolveAccuracies(scene, kRate);
     ADD_FAILURE() << "accepted";
   } catch (const scene::Error& error) {
     const std::string what = error.what();

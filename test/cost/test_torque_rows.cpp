@@ -7,7 +7,7 @@
 #include <map>
 
 #include "poinsot/cost/method_costs.h"
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 #include "torque_rows.h"
@@ -27,7 +27,7 @@ scene::Scene read(const TorqueRow& row, const std::string& method) {
 
 scene::Body settled(const TorqueRow& row, const std::string& accuracy) {
   scene::Scene scene = read(row, "accuracy: " + accuracy + ", horizon: " + shown(row.t));
-  cost::settleMethods(scene, scene::kDefaultRate);
+  cost::resolveAccuracies(scene, scene::kDefaultRate);
   return scene.bodies.at(0);
 }
 

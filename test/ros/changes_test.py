@@ -242,9 +242,9 @@ class ChangesTest(unittest.TestCase):
                 state = listener.next()
                 self.assertEqual(state.segment, status.segment)
                 listener.close()
-            for arrays in (self.still.all(), self.moving.all()):
-                bodies = {ns.split("/")[0] for ns, _ in graph.drawn(arrays)}
-                self.assertLessEqual(bodies, set(names), "bodies of another scene are still drawn")
+            for listener in (self.still, self.moving):
+                graph.wait_for(lambda: {ns.split("/")[0] for ns, _ in graph.drawn(listener.all())} == set(names),
+                               what="the bodies of this scene alone")
             late = {m.ns.split("/")[0] for m in self.still.last().markers if m.action == Marker.ADD}
             self.assertEqual(late, set(names), "what a late RViz sees")
             frames = {t.child_frame_id.split("_space")[0].split("_model")[0] for t in self.tf_static.last().transforms}

@@ -81,9 +81,8 @@ class EffectsTest(unittest.TestCase):
         cls.arrays, cls.still = moving.all(), still.all()[-1:]
         cls.diagnostics = diagnostics.all()
         cls.drawn = {}  # by namespace and id: the markers in order
-        for a in cls.arrays:
-            for m in a.markers:
-                cls.drawn.setdefault((m.ns, m.id), []).append(m)
+        for m in graph.told(cls.arrays):
+            cls.drawn.setdefault((m.ns, m.id), []).append(m)
         for listener in list(states.values()) + list(descriptions.values()) + [moving, still, diagnostics]:
             listener.close()
         cls.control = graph.Control("/effects/poinsot")
@@ -214,7 +213,7 @@ class EffectsTest(unittest.TestCase):
 
     def test_weight_and_pivot(self):
         for body, centre in PIVOT.items():
-            still = [m for m in self.still[0].markers if m.ns == body + "/gravity"]
+            still = [m for m in graph.told(self.still) if m.ns == body + "/gravity"]
             self.assertEqual({m.header.frame_id for m in still}, {body})
             spheres = [m for m in still if m.type == Marker.SPHERE]
             self.assertEqual([list(array(m.pose.position)) for m in spheres], [[0, 0, 0]])
@@ -236,7 +235,7 @@ class EffectsTest(unittest.TestCase):
                 numpy.testing.assert_allclose(array(m.points[0]), start, atol=1e-9)
                 numpy.testing.assert_allclose(unit(array(m.points[1]) - array(m.points[0])), WEIGHT[body], atol=1e-12)
             # The shape's parts have their common centre there; for these shapes it is the mean of their places.
-            places = [array(m.pose.position) for m in self.still[0].markers if m.ns == body + "/shape"]
+            places = [array(m.pose.position) for m in graph.told(self.still) if m.ns == body + "/shape"]
             numpy.testing.assert_allclose(sum(places) / len(places), centre, atol=1e-9)
 
     def test_way_to_the_centre_of_the_orbit(self):

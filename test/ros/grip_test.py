@@ -120,7 +120,7 @@ class GripTest(unittest.TestCase):
         return self.states.next_where(lambda s: s.segment > segment, since=since)
 
     def drawn(self, what, number=0):
-        return [m for m in self.still.last().markers if m.ns == "%s/model/%s" % (BODY, what)][number]
+        return graph.drawn([self.still.last()])["%s/model/%s" % (BODY, what), number]
 
     def semi_axes(self, what):
         """As drawn, in the order of AXES [m]."""

@@ -10,7 +10,7 @@ import rospy  # noqa: E402
 import rostest  # noqa: E402
 from poinsot.msg import BodyState, NodeStatus  # noqa: E402
 from poinsot.srv import LoadScene  # noqa: E402
-from visualization_msgs.msg import MarkerArray  # noqa: E402
+from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerUpdate, MarkerArray  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
@@ -63,9 +63,9 @@ class MarkersTest(unittest.TestCase):
         viewer = Viewer("/shared")
         self.start("/shared", "one", tree("first"))
         graph.wait_for(lambda: viewer.drawn("first"), what="the first body")
-        first = graph.Listener("/shared/first/state", BodyState)
-        here = first.next().time
-        first.next_where(lambda s: s.time > here + 2)  # all of it has been drawn
+        # All of a free body: the static ones, and what moves, the trail last.
+        graph.wait_for(lambda: {("first/shape", 0), ("first/model/omega", 0), ("first/trail", 0)} <= viewer.drawn("first"),
+                       what="the whole of the first body")
         before = viewer.drawn("first")
         self.start("/shared", "two", tree("second"))
         graph.wait_for(lambda: viewer.drawn("second"), what="the second body")
@@ -77,9 +77,48 @@ class MarkersTest(unittest.TestCase):
         status.next_where(lambda s: s.scene == "dzhanibekov" and not s.busy)
         graph.wait_for(lambda: viewer.drawn("wingnut") and not viewer.drawn("second"), what="the other scene alone")
         self.assertEqual(viewer.drawn("first"), before)
-        for listener in (status, first):
-            listener.close()
+        status.close()
         viewer.close()
+
+    def test_labels_keep_apart_while_a_spin_is_led(self):
+        scene = {"bodies": [dict(body(), name="led"), dict(body(method="rk4", step=0.001), name="stepping")]}
+        self.start("/held", "poinsot", scene)
+        viewer = Viewer("/held")
+        hand = rospy.Publisher("/held/poinsot/grip/feedback", InteractiveMarkerFeedback, queue_size=10)
+        states = graph.Listener("/held/led/state", BodyState)
+        handles = graph.Listener("/held/poinsot/grip/update", InteractiveMarkerUpdate)  # there are none until somebody looks
+        handles.next_where(lambda u: any(m.name == "led" for m in list(u.markers) + list(u.poses)))
+        graph.wait_for(lambda: hand.get_num_connections() and self.figures(viewer), what="the figures of a body")
+
+        def lead(event):
+            feedback = InteractiveMarkerFeedback(client_id="markers_test", marker_name="led", event_type=event)
+            feedback.header.frame_id = "led_model"
+            feedback.pose.orientation.w = 1
+            feedback.pose.position.x, feedback.pose.position.y = 0.1, 0.9
+            hand.publish(feedback)
+        lead(InteractiveMarkerFeedback.MOUSE_DOWN)
+        states.next_where(lambda s: s.time_rate == 0)
+        lead(InteractiveMarkerFeedback.POSE_UPDATE)
+        moving = viewer.listeners[0]
+        graph.wait_for(lambda: not self.figures(viewer), what="a body that is drawn as it would be")
+        begin = moving.count()
+        moving.more(50)
+        for end in range(begin, moving.count()):
+            labels = [m for (ns, _), m in graph.drawn(moving.all()[:end]).items()
+                      if ns == "led/label" and m.header.frame_id == "world"]
+            # The words on the flips of what is drawn take the place of the figures of what is not.
+            self.assertTrue(labels)
+            self.assertFalse([m.text for m in labels if "attitude error" in m.text], "two labels lie on each other")
+        lead(InteractiveMarkerFeedback.MOUSE_UP)
+        graph.wait_for(lambda: self.figures(viewer), what="the figures again")
+        for it in (states, handles, viewer):
+            it.close()
+
+    @staticmethod
+    def figures(viewer):
+        """The label that says how well a body is moved, where it is drawn."""
+        drawn = graph.drawn(viewer.listeners[0].all())
+        return [m for (ns, _), m in drawn.items() if ns == "led/label" and "attitude error" in m.text]
 
     def test_what_a_killed_node_has_drawn_goes_when_its_place_is_taken(self):
         pushed = tree("body", effects=[{"type": "constant_torque", "frame": "world", "torque": [0.05, 0, 0.3]}])

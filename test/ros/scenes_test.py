@@ -46,9 +46,10 @@ class Side(object):
 
     def markers(self):
         array = self.latched("markers_static", MarkerArray)
-        for m in array.markers:
+        markers = list(graph.told([array]))
+        for m in markers:
             m.header.frame_id = bare(m.header.frame_id, self.prefix)
-        return array.markers
+        return markers
 
     def states(self, bodies):
         """What every body's state is, paused, after a reset and after a seek."""

@@ -31,7 +31,15 @@ class FakeJob : public Job {
   std::optional<Outcome> poll() override {
     if (!work_ || !may_end_) return std::nullopt;
     may_end_ = false;
-    return std::exchange(work_, nullptr)(cancelled_);
+    const Work work = std::exchange(work_, nullptr);
+    if (outcome_) return std::exchange(outcome_, std::nullopt);
+    return work(cancelled_);
+  }
+
+  /** What it does is done now, and can be polled. */
+  void endNow() {
+    outcome_ = work_(cancelled_);
+    may_end_ = true;
   }
 
   /** What it does now is done by the next poll(). */
@@ -42,6 +50,7 @@ class FakeJob : public Job {
 
  private:
   Work work_;
+  std::optional<Outcome> outcome_;
   std::atomic<bool> cancelled_{false};
   bool may_end_ = false;
 };
@@ -55,7 +64,7 @@ class Heard : public Listener {
   }
   void previewChanged(const std::string&) override { ++previews; }
   void previewEnded(const std::string&) override { ++previews_ended; }
-  void keepsAnotherEllipsoid(view::Keep keep) override { kept = keep; }
+  void keepsAnotherEllipsoid(view::ConservedQuantity keep) override { kept = keep; }
   void refused(const Refusal& refusal) override { refusals.push_back(refusal); }
   void warned(const std::string& warning) override { warnings.push_back(warning); }
   void chose(const std::string& choice) override { choices.push_back(choice); }
@@ -69,7 +78,7 @@ class Heard : public Listener {
   std::vector<bool> changes;         ///< whether each was another scene
   std::vector<std::string> changed;  ///< the bodies of the last
   int previews = 0, previews_ended = 0, coarse = 0, jumps_back = 0, left_range = 0;
-  view::Keep kept = view::Keep::energy;
+  view::ConservedQuantity kept = view::ConservedQuantity::energy;
   std::vector<Refusal> refusals;
   std::vector<std::string> warnings, choices;
   std::vector<double> far_seeks, jumps_ahead;
@@ -111,15 +120,19 @@ class Played : public testing::Test {
   void play(const scene::Scene& scene) {
     Session::Options options;
     options.rate = 100;
-    options.read = [this](const std::string& name) {
+    options.find = [](const std::string& name) {
       if (name == "none") throw std::runtime_error("there is no scene \"none\"");
+      return name[0] == '/' ? name : "/" + name + ".yaml";
+    };
+    options.read = [this](const std::string& file) {
+      if (file == "/bad.yaml") throw std::runtime_error("line 1: not a scene");
       NamedScene out;
       out.scene = to_read;
-      out.name = name;
-      out.file = "/" + name + ".yaml";
+      out.name = file.substr(1, file.size() - 6);
+      out.file = file;
       return out;
     };
-    options.companions = [this](const auto&, Redraw redraw) {
+    options.companions = [this](const std::vector<const Body*>&, Redraw redraw) {
       redraws.push_back(redraw);
       return [](const scene::Body&, const Motion&) { return std::make_unique<Frame>(); };
     };

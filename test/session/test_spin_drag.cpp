@@ -78,9 +78,9 @@ TEST_F(Drag, omegaIsLedOverTheMomentumEllipsoidWhereThatWasChosen) {
   HandleEvent keep;
   keep.kind = Kind::keep;
   keep.body = "wing";
-  keep.keep = view::Keep::momentum;
+  keep.keep = view::ConservedQuantity::momentum;
   session->touch(keep, wall, eye, "wing_model");
-  EXPECT_EQ(heard.kept, view::Keep::momentum);
+  EXPECT_EQ(heard.kept, view::ConservedQuantity::momentum);
   const Eigen::Vector3d moments(1, 2, 3);
   const double before = moments.cwiseProduct(bodyNamed("wing").state().omega_body).norm();
   touch(Kind::lead, {0.5, 0.1, 0.3});
@@ -149,6 +149,16 @@ TEST_F(Drag, aSecondHandTakesTheFirstOnesPlace) {
   EXPECT_EQ(heard.previews_ended, 1);
   touch(Kind::let_go, {}, "wing2");
   EXPECT_FALSE(session->clock().paused()) << "as it was before the first";
+}
+
+TEST_F(Drag, anotherBodysChangeEndsItAndWhatIsDrawnOfItGoes) {
+  touch(Kind::lead, {0, 0, 0.9});
+  ask(SetMethod{"wing2", "rk4", 0.01});
+  work();
+  EXPECT_EQ(state(), SpinDrag::State::free);
+  EXPECT_FALSE(session->preview());
+  EXPECT_EQ(heard.previews_ended, 1);
+  EXPECT_EQ(heard.changed, std::vector<std::string>{"wing2"});
 }
 
 TEST_F(Drag, chosenSpinsBegin) {

@@ -51,8 +51,16 @@ TEST(ThreadJob, throwsWhatTheWorkThrewAndCanBeUsedAgain) {
 }
 
 TEST(ThreadJob, endsWhatRunsWhenItIsDestroyed) {
-  ThreadJob job;
-  job.start(untilCancelled);
+  bool ended = false;
+  {
+    ThreadJob job;
+    job.start([&](const std::atomic<bool>& cancelled) {
+      while (!cancelled) std::this_thread::yield();
+      ended = true;
+      return Outcome(Advanced{});
+    });
+  }
+  EXPECT_TRUE(ended);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-void expectKept(const Vector3d& moments, const Vector3d& before, const Vector3d& after, Keep keep) {
-  if (keep == Keep::energy) {
+void expectKept(const Vector3d& moments, const Vector3d& before, const Vector3d& after, ConservedQuantity keep) {
+  if (keep == ConservedQuantity::energy) {
     EXPECT_NEAR(energy2(moments, after) / energy2(moments, before), 1, 4e-15);
   } else {
     EXPECT_NEAR(std::sqrt(momentum2(moments, after) / momentum2(moments, before)), 1, 4e-15);
@@ -30,14 +30,14 @@ int axisOf(const Vector3d& moments, Axis axis) {
   return static_cast<int>(3 - least - most);
 }
 
-constexpr Keep kKeeps[] = {Keep::energy, Keep::momentum};
+constexpr ConservedQuantity kKeeps[] = {ConservedQuantity::energy, ConservedQuantity::momentum};
 constexpr Axis kAxes[] = {Axis::smallest, Axis::intermediate, Axis::largest};
 
 TEST(SpinChoices, keepEnergyOrMomentumAndTheAxisAskedFor) {
   RandomBodies bodies(1);
   for (int i = 0; i < 300; ++i) {
     const Body b = bodies.draw();
-    for (const Keep keep : kKeeps) {
+    for (const ConservedQuantity keep : kKeeps) {
       for (const Axis axis : kAxes) {
         const int k = axisOf(b.moments, axis);
         const Vector3d spin = axisSpin(b.moments, b.omega, keep, axis);
@@ -56,7 +56,7 @@ TEST(SpinChoices, nearAnAxisIsInItsRegimeByTheClosedForm) {
   RandomBodies bodies(1);
   for (int i = 0; i < 300; ++i) {
     const Body b = bodies.draw();
-    for (const Keep keep : kKeeps) {
+    for (const ConservedQuantity keep : kKeeps) {
       for (const Axis axis : {Axis::smallest, Axis::largest}) {
         const ClosedForm motion(b.moments, Eigen::Quaterniond::Identity(), nearAxis(b.moments, b.omega, keep, axis));
         EXPECT_EQ(motion.regime(), ClosedForm::Regime::general);
@@ -75,7 +75,7 @@ TEST(SpinChoices, onSeparatrixIsAsNearAsDoublesCome) {
   RandomBodies bodies(1);
   for (int i = 0; i < 300; ++i) {
     const Body b = bodies.draw();
-    for (const Keep keep : kKeeps) {
+    for (const ConservedQuantity keep : kKeeps) {
       const Vector3d start = onSeparatrix(b.moments, b.omega, keep);
       expectKept(b.moments, b.omega, start, keep);
       const ClosedForm motion(b.moments, Eigen::Quaterniond::Identity(), start);
@@ -91,14 +91,14 @@ TEST(SpinChoices, onSeparatrixIsAsNearAsDoublesCome) {
 }
 
 TEST(SpinChoices, thereIsNoSeparatrixOfASymmetricBody) {
-  EXPECT_THROW(onSeparatrix({1, 1, 2}, {1, 0, 1}, Keep::energy), std::invalid_argument);
-  EXPECT_THROW(onSeparatrix({2, 1, 2}, {1, 0, 1}, Keep::momentum), std::invalid_argument);
+  EXPECT_THROW(onSeparatrix({1, 1, 2}, {1, 0, 1}, ConservedQuantity::energy), std::invalid_argument);
+  EXPECT_THROW(onSeparatrix({2, 1, 2}, {1, 0, 1}, ConservedQuantity::momentum), std::invalid_argument);
 }
 
 TEST(SpinChoices, takeSpinsOfAnySize) {
   for (const double size : {1e-150, 1e150}) {
     const Vector3d moments(1, 2, 3), omega = size * Vector3d(0.1, 1, 0.2);
-    for (const Keep keep : kKeeps) {
+    for (const ConservedQuantity keep : kKeeps) {
       const Vector3d small = onSeparatrix(moments, Vector3d(0.1, 1, 0.2), keep);
       EXPECT_NEAR((onSeparatrix(moments, omega, keep) / size - small).norm(), 0, 1e-14);
       EXPECT_NEAR(axisSpin(moments, omega, keep, Axis::largest)[2] / size /

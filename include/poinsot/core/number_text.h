@@ -4,7 +4,7 @@
 
 namespace poinsot {
 
-/** A number in messages, with so many significant digits at most; 17 tell it from all others. In no country's style. */
+/** A number as messages show it, whatever the locale. Of 17 significant digits, no two doubles are shown alike. */
 std::string numberText(double value, int digits = 6);
 
 }  // namespace poinsot

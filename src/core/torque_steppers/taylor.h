@@ -13,9 +13,9 @@ namespace poinsot::torque_steppers {
  * Mathematics 14 (2005) 99–117. Of any order, conserves nothing exactly, and everything to its truncation error. Takes
  * every torque.
  *
- * A step that would err by more than 2e-5 of the state, as far as its terms tell, is taken in halves, and those in
- * halves, until the last two terms of each are below 1e-6. So a step of a sensible length is taken as it is; one that
- * is too long for the motion is cut finely.
+ * A step whose last two terms exceed 1e-6 of the state, and which would err by more than 2e-5 as far as its terms tell,
+ * is taken in halves, and those in halves, until the last two terms of each are below 1e-6. So a step of a sensible
+ * length is taken as it is; one that is too long for the motion is cut finely.
  */
 template <int order>
 class Taylor final : public TorqueStepper {
@@ -55,7 +55,8 @@ class Taylor final : public TorqueStepper {
     work += Work{order, 0, order};
     const taylor::LeftOut left_out = kernel_(body_, start(state, t, constant), order, h, increment);
     const bool is_whole = halvings == kMostHalvings;
-    if (is_whole ? left_out.error <= kMostError : left_out.last_terms <= kMostLastTerms) return add(increment, state);
+    const bool is_small = left_out.last_terms <= kMostLastTerms || (is_whole && left_out.error <= kMostError);
+    if (is_small) return add(increment, state);
     if (halvings > 0) {
       stepOrHalves(state, t, 0.5 * h, constant, halvings - 1, work);
       if (state.rotation.momentum_body.allFinite()) {

@@ -13,7 +13,7 @@
 /** The cheapest way to an accuracy. */
 namespace poinsot::cost {
 
-struct Wish {
+struct AccuracyRequest {
   double accuracy = 0;                  ///< attitude error that may be reached [rad], positive
   double horizon = 0;                   ///< it must hold for 0 ≤ t ≤ horizon [s], positive
   double rate = 0;                      ///< at which the state will be asked for [Hz], positive
@@ -47,7 +47,7 @@ constexpr double kClosedFormError = 2e-15;
  * @param cancel makes it give up within some 10 ms.
  * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Unreachable, or Cancelled.
  */
-Choice choose(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice choose(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
               const std::atomic<bool>& cancel = kNeverCancelled);
 
 }  // namespace poinsot::cost

@@ -17,11 +17,11 @@ namespace poinsot::cost {
  * Throws Unreachable, also where the two do not come to agree: rounding, or a motion so sensitive that doubles do not
  * tell.
  */
-Choice chooseUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice chooseUnderTorques(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                           const std::atomic<bool>& cancel = kNeverCancelled);
 
 /** The motion as exactly as doubles have it, whatever that is; verified_error says how far the two came to agree. */
-Choice mostExactUnderTorques(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice mostExactUnderTorques(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                              const std::atomic<bool>& cancel = kNeverCancelled);
 
 /** As methods that take torques are called in MethodCosts: the names of some stand for another way without them. */

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "poinsot/core/motion.h"
-#include "poinsot/ros/brush.h"
 #include "poinsot/ros/effect_markers.h"
+#include "poinsot/ros/marker_factory.h"
+#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/scene.h"
 #include "poinsot/session/tick.h"
@@ -31,7 +32,7 @@ class BodyPicture {
   /** How much is worked out beforehand. */
   enum class Detail {
     none,     ///< nobody will look: frame() is that of the start
-    pictures  ///< how large the pictures of a body under torques will get as well (view/reach.h)
+    pictures  ///< how large the pictures of a body under torques will get as well (view/picture_bounds.h)
   };
 
   /** @param keep draws it as large as another picture of the body, and turned alike; else it is laid out anew. */
@@ -78,7 +79,7 @@ class BodyPicture {
     std::string body_frame;  ///< in which the ellipsoids are at rest, or only change their size
   };
   std::array<Picture, 2> pictures() const {
-    return {Picture{names::kSpace, brush_.frames().space_body}, Picture{names::kModel, brush_.frames().model}};
+    return {Picture{names::kSpace, factory_.frames().space_body}, Picture{names::kModel, factory_.frames().model}};
   }
 
   bool atRest() const { return !torqued_ && start_.omega_body.isZero(0); }
@@ -100,7 +101,7 @@ class BodyPicture {
                                 const Eigen::Vector3d& torque_world, visualization_msgs::MarkerArray& out);
   void appendPath(const session::Tick& tick, const Eigen::Vector3d& omega_metres, visualization_msgs::MarkerArray& out);
 
-  Brush brush_;
+  MarkerFactory factory_;
   std::string name_;
   MotionState start_;
   PrincipalInertia inertia_;
@@ -121,7 +122,7 @@ class BodyPicture {
   mutable visualization_msgs::MarkerArray still_;  ///< made when it is first asked for
   view::Trail trail_;
   std::optional<std::uint32_t> segment_;  ///< of the trail
-  Stage stage_;
+  MarkerTracker tracker_;
 
   // Of a body under torques.
   std::optional<EffectMarkers> effects_;

@@ -45,10 +45,10 @@ class BodyTopics : public session::Companion {
 BodyTopics& topicsOf(const session::Body& body);
 
 /**
- * Makes the topics of bodies that take the place of `present` ones. A body whose name stays keeps its publishers, so
- * that whoever listens to it stays connected.
+ * Makes the topics of bodies that take the places of others. A body whose name stays keeps its publishers, so that
+ * whoever listens to it stays connected.
  */
 session::MakeCompanion topicsMaker(const ros::NodeHandle& handle, const std::string& frame_prefix,
-                                   const std::vector<std::unique_ptr<session::Body>>& present, session::Redraw redraw);
+                                   const std::vector<const session::Body*>& replaced, session::Redraw redraw);
 
 }  // namespace poinsot::node

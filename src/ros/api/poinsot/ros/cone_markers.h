@@ -4,7 +4,7 @@
 
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
-#include "poinsot/ros/brush.h"
+#include "poinsot/ros/marker_factory.h"
 
 namespace poinsot::node {
 
@@ -13,7 +13,7 @@ namespace poinsot::node {
  * apex is the centre, with a rim and some lines down to the apex. The one stands still in the body, the other in the
  * world; the first rolls on the second. Nothing for other bodies.
  */
-void appendCones(const Brush& brush, const ClosedForm& motion, const PrincipalInertia& inertia, double metres,
+void appendCones(const MarkerFactory& factory, const ClosedForm& motion, const PrincipalInertia& inertia, double metres,
                  visualization_msgs::MarkerArray& out);
 
 }  // namespace poinsot::node

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "poinsot/core/motion.h"
-#include "poinsot/ros/brush.h"
+#include "poinsot/ros/marker_factory.h"
+#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/view/trail.h"
 
 namespace poinsot::node {
@@ -24,7 +25,7 @@ class EffectMarkers {
     double torque;                       ///< the largest to be expected [N·m]
     double metres_per_angular_momentum;  ///< of the picture in world axes
   };
-  EffectMarkers(const Brush& brush, const Motion& motion, const Sizes& sizes);
+  EffectMarkers(const MarkerFactory& factory, const Motion& motion, const Sizes& sizes);
 
   /** How far its arrows may reach from the body's origin, downwards [m]. */
   double depth() const;
@@ -32,18 +33,18 @@ class EffectMarkers {
   void appendStatic(visualization_msgs::MarkerArray& out) const;
 
   /** @param torque_world the external one [N·m]. */
-  void appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+  void appendMoving(const MotionState& state, const Eigen::Vector3d& torque_world, MarkerTracker& tracker,
                     visualization_msgs::MarkerArray& out);
 
   /** Forgets the way gone: nobody looked, or the motion jumped. */
   void clearWay() { way_.clear(); }
 
  private:
-  void appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, Stage& stage,
+  void appendTorque(const MotionState& state, const Eigen::Vector3d& torque_world, MarkerTracker& tracker,
                     visualization_msgs::MarkerArray& out) const;
-  void appendWay(const MotionState& state, Stage& stage, visualization_msgs::MarkerArray& out);
+  void appendWay(const MotionState& state, MarkerTracker& tracker, visualization_msgs::MarkerArray& out);
 
-  Brush brush_;
+  MarkerFactory factory_;
   Sizes sizes_;
   bool torque_ = false;  ///< some effect exerts one
   std::optional<GravityTorque> weight_;

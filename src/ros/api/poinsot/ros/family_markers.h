@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "poinsot/core/inertia.h"
-#include "poinsot/ros/brush.h"
+#include "poinsot/ros/marker_factory.h"
 
 namespace poinsot::node {
 
@@ -17,7 +17,7 @@ namespace poinsot::node {
  * @param omega_principal Ω [rad/s].
  * @param metres per rad/s.
  */
-void appendFamily(const Brush& brush, const PrincipalInertia& inertia, const Eigen::Vector3d& omega_principal,
+void appendFamily(const MarkerFactory& factory, const PrincipalInertia& inertia, const Eigen::Vector3d& omega_principal,
                   double metres, visualization_msgs::MarkerArray& out);
 
 }  // namespace poinsot::node

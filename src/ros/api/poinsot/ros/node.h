@@ -4,7 +4,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
-#include <ros/wall_timer.h>
+#include <ros/time.h>
 #include <std_msgs/Float64.h>
 
 #include <atomic>
@@ -56,13 +56,14 @@ class Node : private session::Listener {
   void onSpeed(const std_msgs::Float64& message);
   void onSeek(const std_msgs::Float64& message);
   void onViewpoint(const geometry_msgs::PointStamped& message);
+  /** Where it is due: by the wall, so that one can tell a node whose clock stands still from one that is gone. */
   void publishStatus();
 
   // What the session tells.
   void bodiesChanged(const std::vector<std::string>& names, bool another_scene) override;
   void previewChanged(const std::string& body) override;
   void previewEnded(const std::string& body) override;
-  void keepsAnotherEllipsoid(view::Keep keep) override;
+  void keepsAnotherEllipsoid(view::ConservedQuantity keep) override;
   void refused(const session::Refusal& refusal) override;
   void warned(const std::string& warning) override;
   void chose(const std::string& choice) override;
@@ -80,7 +81,7 @@ class Node : private session::Listener {
   };
   struct Status {
     ros::Publisher publisher;
-    ros::WallTimer timer;
+    ros::SteadyTime sent;
     std::vector<std::string> scenes;  ///< of the package
   };
 

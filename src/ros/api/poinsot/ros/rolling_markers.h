@@ -3,7 +3,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "poinsot/core/closed_form.h"
-#include "poinsot/ros/brush.h"
+#include "poinsot/ros/marker_factory.h"
 
 namespace poinsot::node {
 
@@ -15,7 +15,7 @@ namespace poinsot::node {
  * the two lines touch where the surfaces do.
  * @param words_place where the angle is told [m], world axes.
  */
-void appendRolling(const Brush& brush, const ClosedForm& motion, double metres, const Eigen::Vector3d& words_place,
-                   visualization_msgs::MarkerArray& out);
+void appendRolling(const MarkerFactory& factory, const ClosedForm& motion, double metres,
+                   const Eigen::Vector3d& words_place, visualization_msgs::MarkerArray& out);
 
 }  // namespace poinsot::node

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "poinsot/ros/body_picture.h"
-#include "poinsot/ros/marker_tracker.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/scene.h"
 #include "poinsot/session/moving_body.h"
@@ -62,6 +61,7 @@ class SceneBag {
   void writeStatic();
   void writeStaticMarkers();
   void writeMoving(const session::Tick& tick);
+  void clearLeftovers(bool& cleared, visualization_msgs::MarkerArray& markers) const;
 
   /** A body, its picture where there is to be one, and the names of its topics. */
   struct Entry {
@@ -76,8 +76,8 @@ class SceneBag {
   std::unique_ptr<rosbag::Bag> bag_;
   std::vector<Entry> entries_;
   bool markers_;
-  MarkerTracker moving_markers_, still_markers_;
-  bool some_body_steps_ = false;  ///< then labels tell how well
+  bool moving_cleared_ = false, still_cleared_ = false;  ///< of what another recording may have drawn
+  bool some_body_steps_ = false;                         ///< then labels tell how well
   bool static_markers_repeated_ = false;
   std::optional<ros::Time> stamp_;  ///< of the last tick
   tf2_msgs::TFMessage transforms_;  ///< reused from tick to tick

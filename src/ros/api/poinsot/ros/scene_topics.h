@@ -20,7 +20,9 @@ class SceneTopics {
  public:
   explicit SceneTopics(const ros::NodeHandle& handle);
 
-  /** All that stands still. */
+  /** All that stands still, for the first time. */
+  void begin(const session::Session& session, const ros::Time& stamp);
+  /** The same again. */
   void publishStatic(const session::Session& session, const ros::Time& stamp);
   /** Another scene plays: all that was drawn goes. */
   void sceneChanged(const session::Session& session, const ros::Time& stamp);

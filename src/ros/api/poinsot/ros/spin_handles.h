@@ -18,7 +18,8 @@ namespace poinsot::node {
  * The interactive markers by which one takes hold of Ω in RViz: one a body, a ball around the point Ω of the picture in
  * body axes, with a menu. They only say what hands do; what comes of it is the session's affair.
  *
- * What hands do waits for take(): the server of interactive markers must not be changed while it calls back.
+ * What hands do waits for take(): the server of interactive markers calls back while it holds its own lock, so nothing
+ * is sent and no marker is made or erased in between.
  */
 class SpinHandles {
  public:
@@ -28,7 +29,7 @@ class SpinHandles {
   void update(const session::Session& session);
   void removeAll();
   /** Marks the ellipsoid on which Ω is led in the menus. */
-  void showKept(view::Keep keep);
+  void showKept(view::ConservedQuantity keep);
   /** What was done since the last call, in order. */
   std::vector<session::HandleEvent> take();
 
@@ -42,7 +43,7 @@ class SpinHandles {
   /** A hand has moved the handle; where it is, is the session's affair. */
   void putBack(const std::string& body);
   interactive_markers::MenuHandler::EntryHandle entry(interactive_markers::MenuHandler::EntryHandle parent,
-                                                      const std::string& title, const session::HandleEvent& touch);
+                                                      const std::string& title, const session::HandleEvent& event);
 
   ros::NodeHandle handle_;
   interactive_markers::InteractiveMarkerServer server_;

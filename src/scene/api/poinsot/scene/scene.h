@@ -43,7 +43,7 @@ struct Body {
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;
   std::optional<double> step;        ///< [s]; every method but the closed form has one
-  std::optional<Accuracy> accuracy;  ///< then method and step are still to be chosen (cost/settle.h)
+  std::optional<Accuracy> accuracy;  ///< then method and step are still to be chosen (cost/resolve_accuracy.h)
   std::optional<Translation> translation;
   std::vector<Effect> effects;  ///< what turns it
 };

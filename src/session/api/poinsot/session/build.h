@@ -11,8 +11,10 @@
 /** What the background job does. All of it works on data of its own. */
 namespace poinsot::session {
 
-/** Applies the requests to the draft, one after the other; one that is refused changes nothing. */
-Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& read);
+/** Applies the requests to the draft, one after the other; one that is refused changes nothing. Throws cost::Cancelled.
+ */
+Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& read,
+                 const std::atomic<bool>& cancelled);
 
 /** Which bodies to build, and how. */
 struct BuildOrder {

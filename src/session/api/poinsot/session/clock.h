@@ -50,6 +50,9 @@ class Clock {
   /** What t would be at `now` if nothing is commanded before; time() before the first tick. */
   double timeAt(Nanoseconds now) const;
 
+  /** The time of the tick that comes at `now`: timeAt(now), or that of a jump to come. */
+  double nextTime(Nanoseconds now) const { return jump_.value_or(timeAt(now)); }
+
   /**
    * @param now the present stamp.
    * @return nothing when `now` is not after the last tick's stamp (a repeated stamp would be dropped by tf). The stamp

@@ -19,7 +19,7 @@ struct NamedScene {
   std::string name, file;  ///< empty where there is none
 };
 
-/** Reads a scene by name or path. Runs on the job's thread. Throws std::exception with what is wrong with it. */
+/** Reads a scene file. Runs on the job's thread. Throws std::exception with what is wrong with it. */
 using ReadScene = std::function<NamedScene(const std::string&)>;
 
 /** The scene as it is to be once all that was asked for is done. */
@@ -50,8 +50,8 @@ std::size_t indexOf(const scene::Scene& scene, const std::string& body);
 /** Whether both bodies start alike. */
 bool sameStart(const scene::Body& a, const scene::Body& b);
 
-/** Whether a reset would bring a start back. */
-bool startsDiffer(const Draft& draft);
+/** Whether a reset would bring a start back, of two scenes with the same bodies. */
+bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene);
 
 /**
  * Changes the draft as a LoadScene, SetMethod, SetSpin, Reset or Seek asks.

@@ -20,7 +20,7 @@ class Listener {
   /** It looks again as it was before. */
   virtual void previewEnded(const std::string& body) = 0;
   /** Spins are led on that ellipsoid from now on. */
-  virtual void keepsAnotherEllipsoid(view::Keep keep) = 0;
+  virtual void keepsAnotherEllipsoid(view::ConservedQuantity keep) = 0;
 
   virtual void refused(const Refusal& refusal) = 0;
   virtual void warned(const std::string& warning) = 0;

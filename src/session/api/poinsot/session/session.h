@@ -32,9 +32,11 @@ class Session {
  public:
   struct Options {
     double rate = scene::kDefaultRate;  ///< of the ticks [Hz]
+    /** The file that a name or a path stands for. Throws std::exception where there is none. */
+    std::function<std::string(const std::string& name_or_path)> find;
     ReadScene read;
-    /** Called in the session's thread: what makes companions for bodies that take the present ones' places. */
-    std::function<MakeCompanion(const std::vector<std::unique_ptr<Body>>& present, Redraw redraw)> companions;
+    /** Called in the session's thread: what makes companions for bodies that take the places of others. */
+    std::function<MakeCompanion(const std::vector<const Body*>& replaced, Redraw redraw)> companions;
   };
   using Reply = std::function<void(const Answer&)>;
 
@@ -122,7 +124,8 @@ class Session {
   struct Work {
     enum class Kind { none, preparing, building, seeking };
     Kind kind = Kind::none;
-    bool stale = false;  ///< something was asked for since that makes it useless
+    bool stale = false;     ///< something was asked for since that makes it useless
+    std::size_t asked = 0;  ///< preparing: how many requests, from the first in the queue on
   };
   struct Waiting {
     Asked asked;
@@ -142,7 +145,7 @@ class Session {
   Work work_;
   std::optional<Refusal> refusal_;
   SpinDrag drag_;
-  view::Keep keep_ = view::Keep::energy;
+  view::ConservedQuantity keep_ = view::ConservedQuantity::energy;
   std::unique_ptr<Body> preview_;  ///< of the body that is held: as it would start from where it was led
 };
 

@@ -28,7 +28,7 @@ struct HandleEvent {
   std::string body;
   std::string frame;                                ///< in which `point` is
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< [m]; not checked: it comes from outside
-  view::Keep keep = view::Keep::energy;
+  view::ConservedQuantity keep = view::ConservedQuantity::energy;
   view::Axis axis = view::Axis::smallest;
 };
 
@@ -37,7 +37,7 @@ struct LedSpin {
   const PrincipalInertia& inertia;
   Eigen::Vector3d omega_body;  ///< present Ω [rad/s]
   const view::PictureFrame& frame;
-  view::Keep keep;  ///< the ellipsoid
+  view::ConservedQuantity keep;  ///< the ellipsoid
 };
 
 /**

@@ -2,8 +2,8 @@
 
 #include "poinsot/core/inertia.h"
 #include "poinsot/view/layout.h"
+#include "poinsot/view/picture_bounds.h"
 #include "poinsot/view/picture_scale.h"
-#include "poinsot/view/reach.h"
 
 namespace poinsot::view {
 
@@ -11,7 +11,7 @@ namespace poinsot::view {
 struct PictureFrame {
   Layout layout;
   PictureScale scale;
-  Reach reach;             ///< of a body under torques
+  PictureBounds bounds;    ///< of a body under torques
   double title_depth = 0;  ///< of the titles below the centres [m]
 };
 

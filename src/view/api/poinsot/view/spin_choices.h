@@ -5,7 +5,7 @@
 namespace poinsot::view {
 
 /** What a spin keeps of another one. */
-enum class Keep {
+enum class ConservedQuantity {
   energy,   ///< E: Ω stays on the energy ellipsoid
   momentum  ///< |L|: Ω stays on the momentum ellipsoid
 };
@@ -20,23 +20,25 @@ enum class Axis { smallest, intermediate, largest };
  */
 
 /** Semi-axes [rad/s] of the ellipsoid on which Ω may be led. */
-Eigen::Vector3d keptSemiAxes(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep);
+Eigen::Vector3d keptSemiAxes(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep);
 
 /** Exactly about an axis. */
-Eigen::Vector3d axisSpin(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep, Axis axis);
+Eigen::Vector3d axisSpin(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep,
+                         Axis axis);
 
 /**
  * Near an axis: 12° off the smallest or the largest, towards the intermediate one, so that Ω goes round it; 1.5° off
  * the intermediate one, towards the largest, so that the body flips. (Angles as seen on the ellipsoid drawn as a
  * sphere.)
  */
-Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep, Axis axis);
+Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep,
+                         Axis axis);
 
 /**
  * On the separatrix, I₃(I₃−I₂)Ω₃² = I₁(I₂−I₁)Ω₁², 15° off the end of the intermediate axis that it leaves: about as
  * near to it as doubles come, so that the body flips once and, roundoff permitting, not again for a long time. Throws
  * std::invalid_argument when two moments are equal: there is none.
  */
-Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, Keep keep);
+Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep);
 
 }  // namespace poinsot::view

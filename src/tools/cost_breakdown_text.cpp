@@ -1,4 +1,4 @@
-#include "ledger_text.h"
+#include "cost_breakdown_text.h"
 
 #include <cmath>
 #include <cstdarg>
@@ -24,31 +24,32 @@ std::string measured(double seconds, bool there) {
   return there ? formatted("%.2f", kNano * seconds + 0.0) : "0";
 }
 
-std::string row(const std::string& name, const cost::Ledger& ledger, const cost::Ledger::Part& part) {
-  const bool stepped = part.in_force && ledger.steps > 0;
-  const double share = ledger.perSecond(part) / ledger.perSecond();
+std::string row(const std::string& name, const cost::CostBreakdown& breakdown, const cost::CostBreakdown::Part& part) {
+  const bool stepped = part.in_force && breakdown.steps > 0;
+  const double share = breakdown.perSecond(part) / breakdown.perSecond();
   return formatted("  %-22s %12s %13s %20s %9s\n", name.c_str(), measured(part.per_step, stepped).c_str(),
                    measured(part.per_state, part.in_force).c_str(),
-                   measured(ledger.perSecond(part), part.in_force).c_str(),
+                   measured(breakdown.perSecond(part), part.in_force).c_str(),
                    part.in_force ? formatted("%.1f %%", 100 * share).c_str() : "0");
 }
 
-cost::Ledger::Part total(const cost::Ledger& ledger) {
-  return {kTotal, true, ledger.perStep(), ledger.perState()};
+cost::CostBreakdown::Part total(const cost::CostBreakdown& breakdown) {
+  return {kTotal, true, breakdown.perStep(), breakdown.perState()};
 }
 
-std::string csvRow(const scene::Body& body, const cost::Ledger& ledger, const cost::Ledger::Part& part) {
+std::string csvRow(const scene::Body& body, const cost::CostBreakdown& breakdown,
+                   const cost::CostBreakdown::Part& part) {
   const bool is_total = part.name == kTotal;
   return body.name + "," + body.method + "," + (body.step ? formatted("%.9g", *body.step) : "") + "," + part.name +
          "," + (part.in_force ? "1" : "0") +
          formatted(",%.9g,%.9g,%.9g,%.9g,", kNano * part.per_step, kNano * part.per_state,
-                   kNano * ledger.perSecond(part), ledger.perSecond(part) / ledger.perSecond()) +
-         (is_total ? formatted("%.9g,%.9g", ledger.torque_evaluations, kNano * ledger.run) : ",") + "\n";
+                   kNano * breakdown.perSecond(part), breakdown.perSecond(part) / breakdown.perSecond()) +
+         (is_total ? formatted("%.9g,%.9g", breakdown.torque_evaluations, kNano * breakdown.run) : ",") + "\n";
 }
 
 }  // namespace
 
-std::string ledgerText(const scene::Body& body, const std::string& why, const cost::Ledger& ledger) {
+std::string costBreakdownText(const scene::Body& body, const std::string& why, const cost::CostBreakdown& breakdown) {
   std::string effects;
   if (body.translation)
     effects += std::string("  in force  ") + Translation::kName + ": " + body.translation->text() + "\n";
@@ -59,12 +60,12 @@ std::string ledgerText(const scene::Body& body, const std::string& why, const co
   if (body.step) out += formatted(", step %.9g s", *body.step);
   out += "\n  why       " + why + "\n";
   out += formatted("  %-22s %12s %13s %20s %9s\n", "", "ns per step", "ns per state", "ns per simulated s", "share");
-  for (const cost::Ledger::Part& part : ledger.parts) out += row(part.name, ledger, part);
-  out += row(kTotal, ledger, total(ledger));
-  out += formatted("  in a simulated second: %.6g steps, %.6g states, %.6g torque evaluations\n", ledger.steps,
-                   ledger.states, ledger.torque_evaluations);
-  out += formatted("  run through once: %.0f ns per simulated s; the total above is %.3f of it\n", kNano * ledger.run,
-                   ledger.perSecond() / ledger.run);
+  for (const cost::CostBreakdown::Part& part : breakdown.parts) out += row(part.name, breakdown, part);
+  out += row(kTotal, breakdown, total(breakdown));
+  out += formatted("  in a simulated second: %.6g steps, %.6g states, %.6g torque evaluations\n", breakdown.steps,
+                   breakdown.states, breakdown.torque_evaluations);
+  out += formatted("  run through once: %.0f ns per simulated s; the total above is %.3f of it\n",
+                   kNano * breakdown.run, breakdown.perSecond() / breakdown.run);
   return out;
 }
 
@@ -73,10 +74,10 @@ std::string ledgerHeader() {
          "ns_of_a_run_per_simulated_s\n";
 }
 
-std::string ledgerRows(const scene::Body& body, const cost::Ledger& ledger) {
+std::string costBreakdownRows(const scene::Body& body, const cost::CostBreakdown& breakdown) {
   std::string out;
-  for (const cost::Ledger::Part& part : ledger.parts) out += csvRow(body, ledger, part);
-  return out + csvRow(body, ledger, total(ledger));
+  for (const cost::CostBreakdown::Part& part : breakdown.parts) out += csvRow(body, breakdown, part);
+  return out + csvRow(body, breakdown, total(breakdown));
 }
 
 }  // namespace poinsot::tools

@@ -1,4 +1,4 @@
-#include "poinsot/cost/settle.h"
+#include "poinsot/cost/resolve_accuracy.h"
 
 #include <cmath>
 
@@ -13,10 +13,10 @@ namespace poinsot::cost {
 namespace {
 
 std::string sentence(const scene::Body& body, const Choice& choice) {
-  const scene::Accuracy& wish = *body.accuracy;
+  const scene::Accuracy& accuracy = *body.accuracy;
   std::string out = body.name + ": " + choice.method;
   if (choice.step) out += " with a step of " + numberText(*choice.step, 6) + " s";
-  out += " for an accuracy of " + numberText(wish.error, 3) + " rad over " + numberText(wish.horizon, 3) +
+  out += " for an accuracy of " + numberText(accuracy.error, 3) + " rad over " + numberText(accuracy.horizon, 3) +
          " s; estimated error " + numberText(choice.estimated_error, 3) + " rad, ";
   if (!body.effects.empty()) {
     out += "verified by step refinement " + numberText(choice.verified_error, 3) + " rad";
@@ -25,7 +25,8 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
              "; not verified: that takes too many steps, or the motion is lost; cost " + numberText(choice.cost, 3) +
              " CPU s per simulated s";
     }
-    if (choice.verified_error > wish.error) out += ", which is as near as doubles come: the motion is that sensitive";
+    if (choice.verified_error > accuracy.error)
+      out += ", which is as near as doubles come: the motion is that sensitive";
   } else {
     out += choice.step ? "verified by the closed form " + numberText(choice.verified_error, 3) + " rad"
                        : "held to by references of 60 digits";
@@ -34,33 +35,33 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
 }
 
 /** To the accuracy, or, where that is out of reach, as near to it as doubles come. */
-Choice asWellAsCanBe(const MotionSetup& setup, const Wish& wish, const MethodCosts& costs,
+Choice asWellAsCanBe(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                      const std::atomic<bool>& cancel) {
   try {
-    return choose(setup, wish, costs, cancel);
+    return choose(setup, request, costs, cancel);
   } catch (const Unreachable&) {
-    return mostExactUnderTorques(setup, wish, costs, cancel);
+    return mostExactUnderTorques(setup, request, costs, cancel);
   }
 }
 
 }  // namespace
 
-std::vector<std::string> settleMethods(scene::Scene& scene, double rate, const std::atomic<bool>& cancel) {
+std::vector<std::string> resolveAccuracies(scene::Scene& scene, double rate, const std::atomic<bool>& cancel) {
   const MethodCosts& costs = nominalCosts();
   std::vector<std::string> out;
   for (scene::Body& body : scene.bodies) {
     if (!body.accuracy) continue;
-    const scene::Accuracy& wish = *body.accuracy;
+    const scene::Accuracy& accuracy = *body.accuracy;
     const MotionSetup setup = scene::motionSetup(body);
-    const Wish asked{wish.error, wish.horizon, rate, wish.candidates};
+    const AccuracyRequest asked{accuracy.error, accuracy.horizon, rate, accuracy.candidates};
     try {
       const Choice choice =
-          wish.by_default ? asWellAsCanBe(setup, asked, costs, cancel) : choose(setup, asked, costs, cancel);
+          accuracy.by_default ? asWellAsCanBe(setup, asked, costs, cancel) : choose(setup, asked, costs, cancel);
       body.method = choice.method;
       body.step = choice.step;
       out.push_back(sentence(body, choice));
     } catch (const Unreachable& error) {
-      throw scene::Error(wish.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
+      throw scene::Error(accuracy.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
                          (body.effects.empty()
                               ? ", or no method, which is closed_form and reaches " + numberText(kClosedFormError, 3)
                               : ""));

@@ -17,7 +17,7 @@ namespace poinsot::cost {
  * @param cancel see choose().
  * Throws Cancelled, or scene::Error, with the place of the accuracy, where it is out of reach.
  */
-std::vector<std::string> settleMethods(scene::Scene& scene, double rate,
-                                       const std::atomic<bool>& cancel = kNeverCancelled);
+std::vector<std::string> resolveAccuracies(scene::Scene& scene, double rate,
+                                           const std::atomic<bool>& cancel = kNeverCancelled);
 
 }  // namespace poinsot::cost

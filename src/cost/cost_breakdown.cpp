@@ -1,4 +1,4 @@
-#include "poinsot/cost/ledger.h"
+#include "poinsot/cost/cost_breakdown.h"
 
 #include <algorithm>
 #include <cmath>
@@ -270,7 +270,7 @@ double runTime(const MotionSetup& setup, double duration, double rate) {
 }
 
 /** Part of each type of torque, by its place in Effect. */
-void findShares(const MotionSetup& setup, const Stretches& stretches, std::vector<Ledger::Part>& parts) {
+void findShares(const MotionSetup& setup, const Stretches& stretches, std::vector<CostBreakdown::Part>& parts) {
   const std::set<std::size_t> present = typesIn(setup.effects);
   const std::vector<std::size_t> types(present.begin(), present.end());
   // None, the first, the first two, … all; then all but the first, all but the first two, … the last.
@@ -286,7 +286,7 @@ void findShares(const MotionSetup& setup, const Stretches& stretches, std::vecto
     const auto mean = [&](double Times::*what) {
       return 0.5 * (firstFew(k + 1).*what - firstFew(k).*what + withoutFirst(k).*what - withoutFirst(k + 1).*what);
     };
-    Ledger::Part& part = parts[2 + types[k]];  // after free motion and translation
+    CostBreakdown::Part& part = parts[2 + types[k]];  // after free motion and translation
     part.in_force = true;
     part.per_step = mean(&Times::steps) / stretches.steps();
     part.per_state = mean(&Times::states) / stretches.states();
@@ -305,20 +305,20 @@ const std::vector<std::string>& effectTypes() {
   return names;
 }
 
-double Ledger::perStep() const {
+double CostBreakdown::perStep() const {
   double sum = 0;
   for (const Part& part : parts) sum += part.per_step;
   return sum;
 }
 
-double Ledger::perState() const {
+double CostBreakdown::perState() const {
   double sum = 0;
   for (const Part& part : parts) sum += part.per_state;
   return sum;
 }
 
-Ledger measureLedger(const MotionSetup& setup, double duration, double rate) {
-  Ledger out;
+CostBreakdown measureLedger(const MotionSetup& setup, double duration, double rate) {
+  CostBreakdown out;
   out.states = rate;
   out.parts.push_back({"free_motion", true});
   for (const std::string& name : effectTypes()) out.parts.push_back({name, false});

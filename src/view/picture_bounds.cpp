@@ -1,4 +1,4 @@
-#include "poinsot/view/reach.h"
+#include "poinsot/view/picture_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 constexpr int kSamples = 600;
 constexpr double kMostSteps = 1e5;
 
-void extend(Reach& reach, const Motion& motion, const MotionState& state) {
+void extend(PictureBounds& reach, const Motion& motion, const MotionState& state) {
   const PrincipalInertia& inertia = motion.setup().inertia;
   const Eigen::Vector3d momentum = inertia.moments().cwiseProduct(inertia.toPrincipal(state.omega_body));
   reach.semi_axis = std::max(reach.semi_axis, momentum.stableNorm() / inertia.moments().minCoeff());
@@ -20,9 +20,9 @@ void extend(Reach& reach, const Motion& motion, const MotionState& state) {
 }
 
 double horizonOf(const Motion& motion) {
-  double horizon = kReachHorizon;
+  double horizon = kBoundsHorizon;
   if (const Torques* torques = motion.torques(); torques && !torques->switches().empty()) {
-    horizon = std::max(horizon, torques->switches().back() + kReachSoon);
+    horizon = std::max(horizon, torques->switches().back() + kBoundsSoon);
   }
   if (const auto& step = motion.setup().step) horizon = std::min(horizon, kMostSteps * *step);
   return horizon;
@@ -40,14 +40,14 @@ Eigen::Vector3d externalTorque(const Motion& motion, const MotionState& state) {
   return state.torque_world + state.attitude * (torques->slug()->damping * (state.omega_body - state.slug_omega));
 }
 
-Reach reachOf(Motion motion) {
+PictureBounds pictureBoundsOf(Motion motion) {
   const double horizon = horizonOf(motion);
-  Reach reach, soon;
+  PictureBounds reach, soon;
   try {
     for (int i = 0; i <= kSamples; ++i) {
       const double t = horizon * i / kSamples;
       extend(reach, motion, motion.at(t));
-      if (t <= kReachSoon) soon = reach;
+      if (t <= kBoundsSoon) soon = reach;
     }
   } catch (const std::runtime_error&) {  // there are no more states than these
   }

@@ -13,16 +13,16 @@ namespace poinsot::view {
 Eigen::Vector3d externalTorque(const Motion& motion, const MotionState& state);
 
 /** How large the picture of a body under torques gets. */
-struct Reach {
+struct PictureBounds {
   double semi_axis = 0;                                   ///< the longest of the two ellipsoids', |MΩ|/μmin [rad/s]
   double momentum = 0;                                    ///< |L| [kg·m²/s]
   double torque = 0;                                      ///< |externalTorque| [N·m]
   Eigen::Vector3d omega_later = Eigen::Vector3d::Zero();  ///< Ω at the end [rad/s], body axes
 };
 
-constexpr double kReachHorizon = 60;  ///< s
-constexpr double kReachSoon = 10;     ///< s
-constexpr double kMostGrowth = 2;     ///< see reachOf
+constexpr double kBoundsHorizon = 60;  ///< s
+constexpr double kBoundsSoon = 10;     ///< s
+constexpr double kMostGrowth = 2;      ///< see pictureBoundsOf
 
 /**
  * The largest values for 0 ≤ t ≤ 60 s, or 10 s beyond the last switch of a schedule; for less where that takes more
@@ -31,6 +31,6 @@ constexpr double kMostGrowth = 2;     ///< see reachOf
  * What is spun up for long would be too small to see at first: no value is more than kMostGrowth times the largest of
  * the first 10 s, unless that is zero.
  */
-Reach reachOf(Motion motion);
+PictureBounds pictureBoundsOf(Motion motion);
 
 }  // namespace poinsot::view

@@ -3,9 +3,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Core>
-#include <map>
 #include <string>
-#include <utility>
 
 #include "poinsot/ros/names.h"
 
@@ -42,9 +40,9 @@ constexpr int kTrailIds = 65;  ///< in <body>/trail: the newest stretch, and 64 
 constexpr int kCurveIds = 4;   ///< of a polhode and of a separatrix: their branches
 
 /** Makes markers of one body, in its namespaces and its frames; stamps 0. */
-class Brush {
+class MarkerFactory {
  public:
-  Brush(std::string body, names::Frames frames) : body_(std::move(body)), frames_(std::move(frames)) {}
+  MarkerFactory(std::string body, names::Frames frames) : body_(std::move(body)), frames_(std::move(frames)) {}
 
   const names::Frames& frames() const { return frames_; }
   std::string ns(const char* what) const { return names::markers(body_, what); }
@@ -64,23 +62,5 @@ class Brush {
 
 /** The same brightness from all sides: RViz lights no triangles that have colours of their own. */
 void makeUnlit(visualization_msgs::Marker& triangles);
-
-/** What a viewer has of markers that may have to go again: only what was put there is ever taken away. */
-class Stage {
- public:
-  /** Sends a marker. */
-  void put(const visualization_msgs::Marker& marker, visualization_msgs::MarkerArray& out);
-
-  /** Sends DELETE for the markers of a namespace with ids from `first_id` on, where they were put; stamps 0. */
-  void withdraw(const std::string& ns, int first_id, visualization_msgs::MarkerArray& out);
-  void withdrawOne(const std::string& ns, int id, visualization_msgs::MarkerArray& out);
-
- private:
-  using Key = std::pair<std::string, int>;
-  std::map<Key, std::string> there_;  ///< and the frame of each
-
-  std::map<Key, std::string>::iterator withdraw(std::map<Key, std::string>::iterator it,
-                                                visualization_msgs::MarkerArray& out);
-};
 
 }  // namespace poinsot::node

@@ -16,7 +16,7 @@ namespace poinsot::cost {
  * mean over two orders of putting them in, the first type first and the last type first, so that the parts add up and
  * none pays alone for what they share. A part may come out a little below 0: the noise of a difference.
  */
-struct Ledger {
+struct CostBreakdown {
   struct Part {
     std::string name;      ///< "free_motion", or the effect's type
     bool in_force;         ///< absent effects have cost exactly 0
@@ -47,6 +47,6 @@ const std::vector<std::string>& effectTypes();
  * @param duration how long to simulate [s] and @param rate states in a simulated second [Hz], positive and finite.
  * Throws what Motion throws.
  */
-Ledger measureLedger(const MotionSetup& setup, double duration, double rate);
+CostBreakdown measureLedger(const MotionSetup& setup, double duration, double rate);
 
 }  // namespace poinsot::cost

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Compares what scene_cost says with a bare loop over the same motion, a program that does nothing else, in turn.
 
-Usage: ledger_check.py [ROUNDS]    (default 20; needs the targets scene_cost and instruction_probe in build/)
+Usage: cost_breakdown_check.py [ROUNDS]    (default 20; needs the targets scene_cost and instruction_probe in build/)
 
 The bare loop runs from the start to the end, whatever disturbs it included; its fastest run counts, and the median of what
 scene_cost says. The part of an effect is, for the loop, the difference of two scenes, one without the effect.
