@@ -137,13 +137,13 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
       step->refuse("no method is named that would take it",
                    "no step, or one beside a method: " + joined(candidatesUnder(sumOf(body.inertia, body.effects))));
     }
-    Accuracy accuracy;
-    accuracy.error = kDefaultAccuracy;
-    accuracy.horizon = options.horizon.value_or(kDefaultHorizon);
-    accuracy.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
-    accuracy.place = fields.place().message("");
-    accuracy.by_default = true;
-    body.accuracy = accuracy;
+    Accuracy usual;
+    usual.error = kDefaultAccuracy;
+    usual.horizon = options.horizon.value_or(kDefaultHorizon);
+    usual.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
+    usual.place = fields.place().message("");
+    usual.by_default = true;
+    body.accuracy = usual;
     return;
   }
   if (body.effects.empty() && body.method == kClosedForm) {
