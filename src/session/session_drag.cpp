@@ -24,7 +24,7 @@ void Session::touch(const HandleEvent& event, Nanoseconds now, const std::option
   try {
     handle(event, now, eye, frame);
   } catch (const std::exception& error) {
-    refuse(SetSpin{event.body, {}}, error.what());
+    refuse(SetSpin{event.body, Eigen::Vector3d::Zero()}, error.what());
   }
 }
 

@@ -56,7 +56,10 @@ Draft Session::present() const {
 }
 
 void Session::enqueue(const Request& request, const Reply& reply) {
-  Waiting one{{request, clock_.comingTime(), {}}, reply};
+  Waiting one;
+  one.asked.request = request;
+  one.asked.coming_time = clock_.comingTime();
+  one.reply = reply;
   try {
     if (auto* load = std::get_if<LoadScene>(&one.asked.request)) {
       if (load->scene.empty()) load->scene = playing_.file;

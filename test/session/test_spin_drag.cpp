@@ -6,6 +6,8 @@ namespace {
 
 using Kind = HandleEvent::Kind;
 
+const Eigen::Vector3d kNowhere = Eigen::Vector3d::Zero();
+
 class Drag : public Played {
  protected:
   void touch(Kind kind, const Eigen::Vector3d& point = Eigen::Vector3d::Zero(), const std::string& name = "wing") {
@@ -125,7 +127,7 @@ TEST_F(Drag, aPlaceInAnotherFrameAndAnUnknownBodyAreRefused) {
   event.frame = "world";
   event.point = {0, 0, 1};
   session->touch(event, wall, eye, "wing_model");
-  touch(Kind::press, {}, "nobody");
+  touch(Kind::press, kNowhere, "nobody");
   ASSERT_EQ(heard.refusals.size(), 2u);
   EXPECT_NE(heard.refusals[0].detail.find("wing_model"), std::string::npos);
   EXPECT_EQ(state(), SpinDrag::State::free);
@@ -144,10 +146,10 @@ TEST_F(Drag, whatIsLedToIsRefusedWhileAnotherSceneIsMadeReady) {
 TEST_F(Drag, aSecondHandTakesTheFirstOnesPlace) {
   touch(Kind::press);
   touch(Kind::lead, {0, 0, 0.9});
-  touch(Kind::press, {}, "wing2");
+  touch(Kind::press, kNowhere, "wing2");
   EXPECT_TRUE(session->drag().isOn("wing2"));
   EXPECT_EQ(heard.previews_ended, 1);
-  touch(Kind::let_go, {}, "wing2");
+  touch(Kind::let_go, kNowhere, "wing2");
   EXPECT_FALSE(session->clock().paused()) << "as it was before the first";
 }
 
