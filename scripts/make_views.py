@@ -83,14 +83,13 @@ class Recording:
                 p = message.position
                 self.spheres.append(((p.x, p.y, p.z), self.radius(message.body)))
             elif topic.endswith("markers_static") or topic.endswith("markers"):
-                for marker in message.markers:
-                    if marker.ns:
-                        self.namespaces[not topic.endswith("static")][marker.ns] = True
-                marked.append(message)
+                put = [marker for marker in message.markers if marker.action == marker.ADD]
+                for marker in put:
+                    self.namespaces[not topic.endswith("static")][marker.ns] = True
+                marked += put
         if not setting["bodies"]:
-            for message in marked:
-                for marker in message.markers:
-                    self.add(marker)
+            for marker in marked:
+                self.add(marker)
 
     def radius(self, body):
         """The layout puts the picture in world axes 1.55 m beyond the body's own sphere."""

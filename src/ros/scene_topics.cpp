@@ -1,5 +1,7 @@
 #include "poinsot/ros/scene_topics.h"
 
+#include <ros/single_subscriber_publisher.h>
+
 #include <algorithm>
 
 #include "poinsot/cost/cpu_time.h"

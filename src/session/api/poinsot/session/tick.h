@@ -11,7 +11,8 @@ constexpr Nanoseconds kSecond = 1000000000;
 
 /** In seconds, rounded once. */
 inline double toSeconds(Nanoseconds time) {
-  return static_cast<double>(time / kSecond) + 1e-9 * static_cast<double>(time % kSecond);
+  const Nanoseconds whole = time / kSecond;
+  return static_cast<double>(whole) + 1e-9 * static_cast<double>(time % kSecond);
 }
 
 /** What one tick says about time. From `stamp` until the next tick's, simulation time runs at `time_rate`. */
