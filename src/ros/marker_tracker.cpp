@@ -24,6 +24,7 @@ Marker deletion(const std::string& ns, int id, const std::string& frame) {
 
 constexpr int kParts = 16;  // of a shape; those of a node that has ended and drew more stay where they are
 constexpr int kEffectIds = 5;
+constexpr std::size_t kMostCleared = 100;  // bodies
 
 }  // namespace
 
@@ -85,11 +86,14 @@ void MarkerTracker::withdrawAll() {
   for (const auto& [key, frame] : there_) to_go_.insert(key);
 }
 
-void MarkerTracker::withdrawLeftovers(const std::string& body) {
-  for (const MarkerSpace& space : markerSpaces(body)) {
-    for (int id = 0; id < space.ids; ++id) {
-      const Key key(space.ns, id);
-      if (there_.count(key) == 0) to_go_.insert(key);
+void MarkerTracker::withdrawLeftovers(const std::vector<std::string>& bodies) {
+  if (bodies.size() > kMostCleared) return;
+  for (const std::string& body : bodies) {
+    for (const MarkerSpace& space : markerSpaces(body)) {
+      for (int id = 0; id < space.ids; ++id) {
+        const Key key(space.ns, id);
+        if (there_.count(key) == 0) to_go_.insert(key);
+      }
     }
   }
 }

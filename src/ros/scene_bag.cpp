@@ -18,7 +18,6 @@ using visualization_msgs::MarkerArray;
 
 constexpr std::uint64_t kFirstStamp = 1000000000;  // ns: not zero, which ROS reads as "no time yet"
 const ros::Duration kRepeatAfter(2);
-constexpr std::size_t kMostCleared = 100;  // bodies: of more than that, nothing is deleted at first
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 ros::Time stampAt(double t) {
@@ -34,6 +33,7 @@ std::string absolute(const std::string& topic) {
 
 SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Options& options)
     : bag_(std::make_unique<rosbag::Bag>(file, rosbag::bagmode::Write)), markers_(options.markers) {
+  entries_.reserve(scene.bodies.size());
   for (const scene::Body& body : scene.bodies) {
     entries_.emplace_back(body, markers_ ? BodyPicture::Detail::pictures : BodyPicture::Detail::none);
     if (!markers_) entries_.back().picture.reset();
@@ -126,9 +126,11 @@ void SceneBag::writeMoving(const session::Tick& tick) {
 
 // Who replays it may still have what another recording of these bodies drew.
 void SceneBag::clearLeftovers(bool& cleared, MarkerArray& markers) const {
-  if (std::exchange(cleared, true) || entries_.size() > kMostCleared) return;
+  if (std::exchange(cleared, true)) return;
+  std::vector<std::string> names;
+  for (const Entry& entry : entries_) names.push_back(entry.body.name());
   MarkerTracker tracker;
-  for (const Entry& entry : entries_) tracker.withdrawLeftovers(entry.body.name());
+  tracker.withdrawLeftovers(names);
   tracker.follow(markers);
 }
 

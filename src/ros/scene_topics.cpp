@@ -3,6 +3,7 @@
 #include <ros/single_subscriber_publisher.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/body_messages.h"
@@ -22,8 +23,7 @@ const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kResendAfterScene(0.5);  // its frames are new to everybody
 const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new viewer is given the last one
 const ros::WallDuration kPreviewPause(0.05);
-const ros::WallDuration kYouth(10);        // in which viewers of a node that was restarted connect again
-constexpr std::size_t kMostCleared = 100;  // bodies: of more than that, what a node before has left is not deleted
+const ros::WallDuration kYouth(10);  // in which viewers of a node that was restarted connect again
 
 BodyPicture::Figures figuresOf(const session::Body& body) {
   return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
@@ -31,18 +31,18 @@ BodyPicture::Figures figuresOf(const session::Body& body) {
 
 }  // namespace
 
-SceneTopics::SceneTopics(const ros::NodeHandle& handle) : handle_(handle) {
+SceneTopics::SceneTopics(ros::NodeHandle handle) {
   // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
-  tf_ = handle_.advertise<tf2_msgs::TFMessage>(
-      names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
+  tf_ =
+      handle.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
         const bool next_is_far = ros::SteadyTime::now() - transforms_sent_ > kNextIsFar;
         if (next_is_far && !transforms_.transforms.empty()) viewer.publish(transforms_);
       });
-  static_tf_ = handle_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 10, true);
-  markers_ = handle_.advertise<MarkerArray>(
-      names::kMarkers, kMarkerQueue,
-      [this](const ros::SingleSubscriberPublisher&) { markers_have_new_viewer_ = true; });
-  static_markers_ = handle_.advertise<MarkerArray>(
+  static_tf_ = handle.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 10, true);
+  markers_ =
+      handle.advertise<MarkerArray>(names::kMarkers, kMarkerQueue,
+                                    [this](const ros::SingleSubscriberPublisher&) { markers_have_new_viewer_ = true; });
+  static_markers_ = handle.advertise<MarkerArray>(
       names::kMarkersStatic, 1,
       [this](const ros::SingleSubscriberPublisher&) { resend_static_at_ = ros::SteadyTime::now() + kResendAfter; },
       ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
@@ -71,10 +71,8 @@ void SceneTopics::sceneChanged(const Session& session, const ros::Time& stamp) {
   preview_is_new_ = false;
   transforms_.transforms.clear();
   last_tick_.reset();
-  MarkerArray markers;
   moving_.withdrawAll();
-  moving_.follow(markers);
-  if (!markers.markers.empty()) markers_.publish(markers);
+  publishMoving({});
   publishStatic(session, stamp);
 }
 
@@ -96,8 +94,10 @@ void SceneTopics::previewEnded(const Session& session, const std::string& body) 
 }
 
 void SceneTopics::withdrawLeftovers(const Session& session, MarkerTracker& markers) const {
-  if (ros::SteadyTime::now() - began_ > kYouth || session.bodies().size() > kMostCleared) return;
-  for (const auto& body : session.bodies()) markers.withdrawLeftovers(body->name());
+  if (ros::SteadyTime::now() - began_ > kYouth) return;
+  std::vector<std::string> names;
+  for (const auto& body : session.bodies()) names.push_back(body->name());
+  markers.withdrawLeftovers(names);
 }
 
 void SceneTopics::publishStaticMarkers(const Session& session) {
@@ -148,6 +148,12 @@ bool SceneTopics::publishPreview(const Session& session) {
   return true;
 }
 
+void SceneTopics::publishMoving(MarkerArray markers) {
+  moving_.follow(markers);
+  moving_.forgetGone();  // not to be repeated: this topic's queue is long
+  if (!markers.markers.empty()) markers_.publish(markers);
+}
+
 void SceneTopics::publishMarkers(const Session& session, const session::Tick& tick) {
   if (markers_have_new_viewer_) withdrawLeftovers(session, moving_);
   markers_have_new_viewer_ = false;
@@ -164,8 +170,7 @@ void SceneTopics::publishMarkers(const Session& session, const session::Tick& ti
       // They tell how well it steps, which a body that is only drawn as it would be does not.
       if (some_body_steps && &body == bodies[i].get()) picture.appendFigures(tick, figuresOf(body), markers);
     }
-    moving_.follow(markers);
-    if (!markers.markers.empty()) markers_.publish(markers);
+    publishMoving(std::move(markers));
   } else if (markers_watched_) {
     for (const auto& body : bodies) topicsOf(*body).picture().clearTrail();
   }

@@ -11,14 +11,18 @@
 namespace poinsot::session {
 namespace {
 
+void stepTo(Motion& motion, double time, const std::atomic<bool>& cancelled) {
+  cost::prepare(motion, time, cancelled);
+  motion.at(time);  // throws where there is nothing to publish
+}
+
 void advance(Body& body, double time, const std::atomic<bool>& cancelled) {
   Motion& motion = body.motion();
   const double steps = motion.stepsTo(time);
   if (!(steps <= kMostSteps)) {
     throw std::runtime_error(tooManySteps(body.name(), time, steps, *motion.setup().step));
   }
-  cost::prepare(motion, time, cancelled);
-  motion.at(time);  // throws where there is nothing to publish
+  stepTo(motion, time, cancelled);
 }
 
 }  // namespace
@@ -74,10 +78,7 @@ void advance(Built& built, double time, const std::atomic<bool>& cancelled) {
 }
 
 Advanced advanced(std::vector<Motion> motions, double time, const std::atomic<bool>& cancelled) {
-  for (Motion& motion : motions) {
-    cost::prepare(motion, time, cancelled);
-    motion.at(time);  // throws where there is nothing to publish
-  }
+  for (Motion& motion : motions) stepTo(motion, time, cancelled);
   return {time, std::move(motions)};
 }
 

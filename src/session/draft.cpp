@@ -23,6 +23,14 @@ void note(const Request& request, Draft& draft) {
   }
 }
 
+/** Whether both bodies start alike. */
+bool sameStart(const scene::Body& a, const scene::Body& b) {
+  const bool same_place = a.translation.has_value() == b.translation.has_value() &&
+                          (!a.translation || (a.translation->position == b.translation->position &&
+                                              a.translation->velocity == b.translation->velocity));
+  return same_place && a.omega_body == b.omega_body && a.attitude.coeffs() == b.attitude.coeffs();
+}
+
 Answer load(const LoadScene& request, Draft& draft, const ReadScene& read) {
   NamedScene found = read(request.scene);
   Draft out;
@@ -94,13 +102,6 @@ std::size_t indexOf(const scene::Scene& scene, const std::string& body) {
     names += (i ? ", " : "") + scene.bodies[i].name;
   }
   throw scene::Error("there is no body \"" + body + "\"; allowed: " + names);
-}
-
-bool sameStart(const scene::Body& a, const scene::Body& b) {
-  const bool same_place = a.translation.has_value() == b.translation.has_value() &&
-                          (!a.translation || (a.translation->position == b.translation->position &&
-                                              a.translation->velocity == b.translation->velocity));
-  return same_place && a.omega_body == b.omega_body && a.attitude.coeffs() == b.attitude.coeffs();
 }
 
 bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene) {

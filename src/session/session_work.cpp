@@ -81,6 +81,12 @@ void Session::enqueue(const Request& request, const Reply& reply) {
   startNext();
 }
 
+std::vector<Asked> Session::allAsked() const {
+  std::vector<Asked> out;
+  for (const Waiting& one : queue_) out.push_back(one.asked);
+  return out;
+}
+
 void Session::serve(Nanoseconds now) {
   takeOutcome();
   startNext();
@@ -92,9 +98,7 @@ void Session::serve(Nanoseconds now) {
 void Session::startNext() {
   if (!queue_.empty() && work_.kind != Work::Kind::preparing) {
     if (std::all_of(queue_.begin(), queue_.end(), [](const Waiting& one) { return isQuick(one.asked.request); })) {
-      std::vector<Asked> asked;
-      for (const Waiting& one : queue_) asked.push_back(one.asked);
-      takeAnswers(prepare(draft_ ? *draft_ : present(), asked, options_.read, cost::kNeverCancelled));
+      takeAnswers(prepare(draft_ ? *draft_ : present(), allAsked(), options_.read, cost::kNeverCancelled));
     } else if (job_.busy()) {
       dropWork();
     } else {
@@ -110,11 +114,11 @@ void Session::startNext() {
 }
 
 void Session::startPreparing() {
-  std::vector<Asked> asked;
-  for (const Waiting& one : queue_) asked.push_back(one.asked);
-  job_.start([draft = draft_ ? *draft_ : present(), asked, read = options_.read](const std::atomic<bool>& cancelled) {
-    return Outcome(prepare(draft, asked, read, cancelled));
-  });
+  const std::vector<Asked> asked = allAsked();
+  job_.start(
+      [draft = draft_ ? *draft_ : present(), asked, read = options_.read](const std::atomic<bool>& cancelled) mutable {
+        return Outcome(prepare(std::move(draft), asked, read, cancelled));
+      });
   work_ = {Work::Kind::preparing, false, asked.size()};
 }
 
@@ -127,8 +131,8 @@ void Session::build() {
   BuildOrder order = wholeScene(draft_->scene, options_.rate, options_.companions(replaced, redraw));
   if (!draft_->all) order.bodies.assign(draft_->bodies.begin(), draft_->bodies.end());
   order.time = comingTime();
-  job_.start([order = std::move(order)](const std::atomic<bool>& cancelled) {
-    return Outcome(session::build(order, cancelled));
+  job_.start([order = std::move(order)](const std::atomic<bool>& cancelled) mutable {
+    return Outcome(session::build(std::move(order), cancelled));
   });
   work_ = {Work::Kind::building, false, 0};
 }
@@ -136,8 +140,8 @@ void Session::build() {
 void Session::startSeeking() {
   std::vector<Motion> motions;
   for (const auto& body : bodies_) motions.push_back(body->motion());
-  job_.start([motions = std::move(motions), time = *seek_](const std::atomic<bool>& cancelled) {
-    return Outcome(advanced(motions, time, cancelled));
+  job_.start([motions = std::move(motions), time = *seek_](const std::atomic<bool>& cancelled) mutable {
+    return Outcome(advanced(std::move(motions), time, cancelled));
   });
   work_ = {Work::Kind::seeking, false, 0};
 }
@@ -264,7 +268,7 @@ void Session::giveUpDraft(Refusal refusal) {
 void Session::exchange(Built&& built) {
   for (const std::string& choice : built.choices) listener_.chose(choice);
   const double time = comingTime();
-  const Draft draft = *std::exchange(draft_, std::nullopt);
+  Draft draft = *std::exchange(draft_, std::nullopt);
   std::vector<std::string> names;
   for (const auto& body : built.bodies) names.push_back(body->name());
   if (draft.all || std::find(names.begin(), names.end(), drag_.body()) != names.end()) preview_.reset();
@@ -277,8 +281,8 @@ void Session::exchange(Built&& built) {
       bodies_[built.indices[k]] = std::move(built.bodies[k]);
     }
   }
-  playing_ = {std::move(built.scene), draft.name, draft.file};
-  start_scene_ = draft.start_scene;
+  playing_ = {std::move(built.scene), std::move(draft.name), std::move(draft.file)};
+  start_scene_ = std::move(draft.start_scene);
   if (draft.from_start) {
     clock_.jumpTo(0);
     seek_ = draft.seek;

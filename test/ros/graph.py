@@ -114,20 +114,6 @@ def message_class(topic):
     return wait_for(lambda: rostopic.get_topic_class(topic)[0], what=topic)
 
 
-def drawn(arrays):
-    """The markers that a viewer such as RViz has after these arrays of one topic: by namespace and id."""
-    out = {}
-    for array in arrays:
-        for marker in array.markers:
-            if marker.action == Marker.ADD:
-                out[marker.ns, marker.id] = marker
-            elif marker.action == Marker.DELETE:
-                out.pop((marker.ns, marker.id), None)
-            else:
-                raise AssertionError("action %d, which takes away what other nodes have drawn" % marker.action)
-    return out
-
-
 def told(arrays):
     """The markers of these arrays of one topic in order, without deletions of what is not there."""
     there = set()
@@ -136,11 +122,24 @@ def told(arrays):
             key = marker.ns, marker.id
             if marker.action == Marker.ADD:
                 there.add(key)
+            elif marker.action != Marker.DELETE:
+                raise AssertionError("action %d, which takes away what other nodes have drawn" % marker.action)
             elif key in there:
                 there.remove(key)
             else:
                 continue
             yield marker
+
+
+def drawn(arrays):
+    """The markers that a viewer such as RViz has after these arrays of one topic: by namespace and id."""
+    out = {}
+    for marker in told(arrays):
+        if marker.action == Marker.ADD:
+            out[marker.ns, marker.id] = marker
+        else:
+            del out[marker.ns, marker.id]
+    return out
 
 
 def quaternion_distance(a, b):

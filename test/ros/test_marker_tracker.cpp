@@ -74,7 +74,7 @@ TEST(MarkerTracker, notesWhatAnArrayDeletesItself) {
 
 TEST(MarkerTracker, deletionsWaitForNoFrameOfABody) {
   MarkerTracker tracker;
-  tracker.withdrawLeftovers("a");
+  tracker.withdrawLeftovers({"a"});
   MarkerArray array;
   tracker.follow(array);
   ASSERT_FALSE(array.markers.empty());

@@ -11,13 +11,18 @@ const Eigen::Vector3d kNowhere = Eigen::Vector3d::Zero();
 class Drag : public Played {
  protected:
   void touch(Kind kind, const Eigen::Vector3d& point = Eigen::Vector3d::Zero(), const std::string& name = "wing") {
-    HandleEvent event;
-    event.kind = kind;
-    event.body = name;
-    event.frame = name + "_model";
+    HandleEvent event = on(name, kind);
     event.point = point;
-    session->touch(event, wall, eye, "wing_model");
+    send(event);
   }
+  static HandleEvent on(const std::string& name, Kind kind) {
+    HandleEvent out;
+    out.kind = kind;
+    out.body = name;
+    out.frame = name + "_model";
+    return out;
+  }
+  void send(const HandleEvent& event) { session->touch(event, wall, eye, "wing_model"); }
   SpinDrag::State state() const { return session->drag().state(); }
   double energy(const Eigen::Vector3d& omega) const {
     return 0.5 * omega.dot(body("wing").inertia.moments().cwiseProduct(omega));
@@ -77,16 +82,27 @@ TEST_F(Drag, omegaIsLedOverTheEnergyEllipsoidAndStartsThere) {
 }
 
 TEST_F(Drag, omegaIsLedOverTheMomentumEllipsoidWhereThatWasChosen) {
-  HandleEvent keep;
-  keep.kind = Kind::keep;
-  keep.body = "wing";
+  HandleEvent keep = on("wing", Kind::keep);
   keep.keep = view::ConservedQuantity::momentum;
-  session->touch(keep, wall, eye, "wing_model");
+  send(keep);
   EXPECT_EQ(heard.kept, view::ConservedQuantity::momentum);
   const Eigen::Vector3d moments(1, 2, 3);
   const double before = moments.cwiseProduct(bodyNamed("wing").state().omega_body).norm();
   touch(Kind::lead, {0.5, 0.1, 0.3});
   EXPECT_NEAR(moments.cwiseProduct(session->preview()->state().omega_body).norm(), before, 1e-12);
+}
+
+TEST_F(Drag, aHandLeadsInTheAxesOfTheBodyNotInThePrincipalOnes) {
+  Eigen::Matrix3d tensor;
+  tensor << 2, 0.3, -0.2, 0.3, 3, 0.4, -0.2, 0.4, 4;
+  scene::Scene scene = twoBodies();
+  scene.bodies[0].inertia = PrincipalInertia::fromTensor(tensor);
+  play(scene);
+  const Eigen::Vector3d before = bodyNamed("wing").state().omega_body, point(0.5, -0.2, 0.6);
+  touch(Kind::lead, point);
+  const Eigen::Vector3d led = session->preview()->state().omega_body;
+  EXPECT_NEAR(led.dot(tensor * led), before.dot(tensor * before), 1e-12) << "E stays";
+  EXPECT_LT(led.normalized().cross(point.normalized()).norm(), 1e-12) << "in the direction of the hand";
 }
 
 TEST_F(Drag, withAnEyeOmegaLiesInTheLineOfSight) {
@@ -121,12 +137,10 @@ TEST_F(Drag, forbiddenPlacesAreRefusedAndTheLastGoodOneCounts) {
 }
 
 TEST_F(Drag, aPlaceInAnotherFrameAndAnUnknownBodyAreRefused) {
-  HandleEvent event;
-  event.kind = Kind::lead;
-  event.body = "wing";
+  HandleEvent event = on("wing", Kind::lead);
   event.frame = "world";
   event.point = {0, 0, 1};
-  session->touch(event, wall, eye, "wing_model");
+  send(event);
   touch(Kind::press, kNowhere, "nobody");
   ASSERT_EQ(heard.refusals.size(), 2u);
   EXPECT_NE(heard.refusals[0].detail.find("wing_model"), std::string::npos);
@@ -164,16 +178,13 @@ TEST_F(Drag, anotherBodysChangeEndsItAndWhatIsDrawnOfItGoes) {
 }
 
 TEST_F(Drag, chosenSpinsBegin) {
-  HandleEvent event;
-  event.kind = Kind::axis;
-  event.body = "wing";
+  HandleEvent event = on("wing", Kind::axis);
   event.axis = view::Axis::largest;
-  session->touch(event, wall, eye, "wing_model");
+  send(event);
   work();
   const Eigen::Vector3d omega = bodyNamed("wing").motion().setup().omega_body;
   EXPECT_EQ(omega.head<2>().norm(), 0);
-  event.kind = Kind::reset;
-  session->touch(event, wall, eye, "wing_model");
+  touch(Kind::reset);
   work();
   EXPECT_EQ(bodyNamed("wing").motion().setup().omega_body, body("wing").omega_body);
 }

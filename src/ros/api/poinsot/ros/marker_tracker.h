@@ -36,8 +36,11 @@ class MarkerTracker {
   /** What was put in the namespaces of a body is to go, unless the next array puts it again. */
   void withdraw(const std::string& body);
   void withdrawAll();
-  /** So is what a node that has ended may have left in the body's name. */
-  void withdrawLeftovers(const std::string& body);
+  /**
+   * So is what a node that has ended may have left in these bodies' names; not of more than 100 bodies, whose deletions
+   * would be megabytes.
+   */
+  void withdrawLeftovers(const std::vector<std::string>& bodies);
 
   /** All that has gone is to go once more: who has missed the array with its deletion is told again. */
   void withdrawAgain();

@@ -18,7 +18,7 @@ namespace poinsot::node {
 /** The topics of the scene as a whole: tf and markers, each in two parts, one that stands still and one that moves. */
 class SceneTopics {
  public:
-  explicit SceneTopics(const ros::NodeHandle& handle);
+  explicit SceneTopics(ros::NodeHandle handle);
 
   /** All that stands still, for the first time. */
   void begin(const session::Session& session, const ros::Time& stamp);
@@ -47,11 +47,12 @@ class SceneTopics {
   void publishStaticMarkers(const session::Session& session);
   /** @return whether there was something new to show. */
   bool publishPreview(const session::Session& session);
+  /** What moves, after the deletion of what is to go. */
+  void publishMoving(visualization_msgs::MarkerArray markers);
   void publishMarkers(const session::Session& session, const session::Tick& tick);
   /** What a node that has ended may have drawn in the names of these bodies goes, while this one is young. */
   void withdrawLeftovers(const session::Session& session, MarkerTracker& markers) const;
 
-  ros::NodeHandle handle_;
   // Not broadcasters of tf2_ros: they have no callback for new subscribers, and never forget the frames of another
   // scene.
   ros::Publisher tf_, static_tf_;

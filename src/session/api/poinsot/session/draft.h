@@ -42,13 +42,8 @@ struct Asked {
   MotionState state;       ///< SetSpin: of the body
 };
 
-/**
- * The place of a body in a scene. Throws scene::Error, with the names that there are.
- */
+/** The place of a body in a scene. Throws scene::Error, with the names that there are. */
 std::size_t indexOf(const scene::Scene& scene, const std::string& body);
-
-/** Whether both bodies start alike. */
-bool sameStart(const scene::Body& a, const scene::Body& b);
 
 /** Whether a reset would bring a start back, of two scenes with the same bodies. */
 bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene);

@@ -95,6 +95,7 @@ class Session {
   bool loading() const;
   Draft present() const;
   void enqueue(const Request& request, const Reply& reply);
+  std::vector<Asked> allAsked() const;
   void takeAnswers(Prepared&& prepared);
   void build();
   double comingTime() const;

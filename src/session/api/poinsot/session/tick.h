@@ -9,7 +9,7 @@ using Nanoseconds = std::int64_t;
 
 constexpr Nanoseconds kSecond = 1000000000;
 
-/** In seconds, rounded once. */
+/** In seconds, to the last bits of a double. */
 inline double toSeconds(Nanoseconds time) {
   const Nanoseconds whole = time / kSecond;
   return static_cast<double>(whole) + 1e-9 * static_cast<double>(time % kSecond);
