@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exhaustive.h"
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/method.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/cost/method_costs.h"
@@ -54,7 +54,7 @@ Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_c
             const cost::MethodCosts& costs) {
   std::vector<std::string> candidates;
   if (with_closed_form) candidates.push_back(kClosedForm);
-  for (const Method& method : methods()) candidates.push_back(method.name);
+  for (const Method& method : freeMethods()) candidates.push_back(method.name);
   const std::vector<double> times = exhaustive::randomTimes(kHorizon, 3000, 5);
   Row row;
   std::vector<double> ratios;

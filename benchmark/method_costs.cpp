@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/core/method.h"
 #include "poinsot/core/motion.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/cost/method_costs.h"
-#include "poinsot/cost/torque_choice.h"
 
 namespace {
 
@@ -68,10 +66,10 @@ int main(int argc, char**) {
   }
   std::printf("| method | ns per state | nominal | ns per step | nominal |\n|---|---|---|---|---|\n");
   print(kClosedForm, measure(kClosedForm));
-  for (const Method& method : methods()) print(method.name, measure(method.name));
+  for (const Method& method : freeMethods()) print(method.name, measure(method.name));
   const GravityTorque weight{1, {0, 0, -1}, {0.1, -0.1, 0.3}};
-  for (const TorqueMethod& method : torqueMethods()) {
-    print(cost::torqueCostName(method.name), measure(method.name, {weight}));
+  for (const Method& method : torquedMethods()) {
+    print(cost::costName(method.name, true), measure(method.name, {weight}));
   }
   return 0;
 }

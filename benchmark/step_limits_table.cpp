@@ -7,6 +7,7 @@
 
 #include "draws.h"
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
@@ -51,7 +52,7 @@ double worstError(const Stepper& stepper, const Body& body, double step, int ste
     RotationState state = RotationState::fromOmega(body.moments, start.attitude, start.omega_body);
     for (int n = 1; n <= steps; ++n) {
       try {
-        stepper.advance(state, step, 1);
+        stepper.advance(state, 0, step, 1);
       } catch (const NoConvergence&) {
         return kPi;
       }
@@ -87,7 +88,7 @@ bool printStepLimits() {
       "|---|---|---|---|---|---|---|---|\n");
   const std::vector<Body> bodies = drawBodies();
   bool good = true;
-  for (const Method& method : methods()) {
+  for (const Method& method : freeMethods()) {
     double refused_from = 0, least_refused = kPi;  // the last lines of a method, all of them refusals, are one
     const auto print = [&](const std::string& step, const std::string& cells, bool right) {
       std::printf("| %s | %s | %s%s |\n", method.name, step.c_str(), cells.c_str(), right ? "" : " **WRONG**");

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/method.h"
 #include "regimes.h"
 
 namespace poinsot::benchmarks {
@@ -18,7 +18,7 @@ void step(benchmark::State& state, const Method& method, const Start& start) {
   const auto stepper = method.make(start.moments);
   RotationState body = RotationState::fromOmega(start.moments, start.attitude, start.omega);
   while (state.KeepRunningBatch(kBatch)) {
-    stepper->advance(body, kStep, kBatch);
+    stepper->advance(body, 0, kStep, kBatch);
     benchmark::DoNotOptimize(body);
   }
 }
@@ -26,7 +26,7 @@ void step(benchmark::State& state, const Method& method, const Start& start) {
 }  // namespace
 
 void addSteppers() {
-  for (const Method& method : methods()) {
+  for (const Method& method : freeMethods()) {
     const std::string name = std::string("step/") + method.name;
     benchmark::RegisterBenchmark(name.c_str(), step, method, regime("general").starts.front());
     benchmark::RegisterBenchmark((name + "/near_separatrix").c_str(), step, method,

@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "poinsot/core/effect.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
-#include "poinsot/core/torque_stepper.h"
 #include "poinsot/cost/cpu_time.h"
 
 namespace {
@@ -197,21 +197,20 @@ std::vector<Contestant> peers(const Problem& p, const Torque& torque) {
 std::vector<Contestant> ours(const Problem& p) {
   std::vector<Contestant> out;
   const auto inertia = poinsot::PrincipalInertia::fromMoments(p.moments);
-  for (const poinsot::TorqueMethod& method : poinsot::torqueMethods()) {
+  for (const poinsot::Method& method : poinsot::torquedMethods()) {
     if (!poinsot::objectionTo(method, poinsot::sumOf(inertia, p.effects)).empty()) continue;
     out.push_back({method.name, ladder(4, 5e-4, 1.15), [=](double step, double end) {
                      const auto stepper = method.make(poinsot::sumOf(inertia, p.effects));
-                     poinsot::TorquedState s;
-                     s.rotation = poinsot::RotationState::fromOmega(p.moments, p.attitude, p.omega);
+                     auto s = poinsot::RotationState::fromOmega(p.moments, p.attitude, p.omega);
                      const long n = static_cast<long>(std::ceil(end / step));
                      const double h = end / static_cast<double>(n);
                      try {
-                       for (long i = 0; i < n; ++i) stepper->advance(s, static_cast<double>(i) * h, h);
+                       stepper->advance(s, 0, h, n);
                      } catch (const poinsot::NoConvergence&) {
                        return lost();
                      }
-                     const auto& q = s.rotation.attitude;
-                     const Eigen::Vector3d w = s.rotation.omegaBody(p.moments);
+                     const auto& q = s.attitude;
+                     const Eigen::Vector3d w = s.omegaBody(p.moments);
                      return State<double>{q.w(), q.x(), q.y(), q.z(), w[0], w[1], w[2]};
                    }});
   }

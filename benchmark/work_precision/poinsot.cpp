@@ -4,8 +4,8 @@
 
 #include "contestant.h"
 #include "poinsot/core/closed_form.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/motion.h"
-#include "poinsot/core/stepper.h"
 
 /** Poinsot's own methods. */
 namespace poinsot::work_precision {
@@ -26,13 +26,13 @@ class StepperRun final : public Run {
     const double step = horizon / static_cast<double>(steps);
     RotationState state = start_;
     if (!watch) {
-      add(effort, steps, stepper_->advance(state, step, steps));
+      add(effort, steps, stepper_->advance(state, 0, step, steps));
       return answer(horizon, state);
     }
     const std::int64_t batch = std::max<std::int64_t>(1, steps / kLooks);
     for (std::int64_t n = 0; n < steps;) {
       const std::int64_t some = std::min(batch, steps - n);
-      add(effort, some, stepper_->advance(state, step, some));
+      add(effort, some, stepper_->advance(state, 0, step, some));
       n += some;
       watch(answer(static_cast<double>(n) * step, state));
     }
@@ -44,7 +44,7 @@ class StepperRun final : public Run {
     const double step = interval / static_cast<double>(steps);
     RotationState state = start_;
     for (std::int64_t i = 0; i < count; ++i) {
-      add(effort, steps, stepper_->advance(state, step, steps));
+      add(effort, steps, stepper_->advance(state, 0, step, steps));
       out[i] = answer(static_cast<double>(i + 1) * interval, state);
     }
   }
@@ -141,7 +141,7 @@ class OwnClosedForm final : public Contestant {
 
 void addPoinsot(Contestants& to) {
   to.push_back(std::make_unique<OwnClosedForm>());
-  for (const Method& method : methods()) to.push_back(std::make_unique<OwnStepper>(method));
+  for (const Method& method : freeMethods()) to.push_back(std::make_unique<OwnStepper>(method));
 }
 
 }  // namespace poinsot::work_precision

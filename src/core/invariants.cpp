@@ -11,7 +11,7 @@ double ratio(double difference, double reference) {
 
 }  // namespace
 
-Invariants invariantsOf(const Eigen::Vector3d& moments, const RotationState& state) {
+Invariants invariantsOf(const Eigen::Vector3d& moments, const FreeRotationState& state) {
   return {0.5 * state.momentum_body.dot(state.omegaBody(moments)), state.momentum_body.squaredNorm(),
           inlined::momentumWorld(state)};
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "half_turn.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/rotation.h"
 
 namespace poinsot {
@@ -17,31 +18,31 @@ void checkStep(const MotionSetup& setup) {
   throw std::invalid_argument("a stepper needs a step that is positive and finite");
 }
 
-void checkTorqued(const MotionSetup& setup) {
+void checkMethod(const MotionSetup& setup) {
+  const bool torqued = !setup.effects.empty();
+  const std::vector<Method>& list = torqued ? torquedMethods() : freeMethods();
+  const std::string expected = "expected one of " + std::string(torqued ? "" : "closed_form, ") + methodNames(list);
+  const std::string got = ", got \"" + setup.method + "\"";
   if (setup.method == kClosedForm) {
-    throw std::invalid_argument(std::string(kClosedForm) + " is the motion of a free body; " +
-                                nameOf(setup.effects.front()) + " makes it another, for which there is " +
-                                torqueMethodNames());
+    if (torqued) {
+      throw std::invalid_argument(expected + got + ", the motion of a free body: " + nameOf(setup.effects.front()) +
+                                  " acts on this one");
+    }
+    if (setup.step) throw std::invalid_argument("the closed form takes no step");
+    return;
   }
-  const TorqueMethod* method = findTorqueMethod(setup.method);
+  const Method* method = findMethod(setup.method, list);
   if (!method) {
-    throw std::invalid_argument("method \"" + setup.method + "\" takes no torques; " + torqueMethodNames() + " do");
+    const char* kind = torqued ? ", which takes no torques" : ", which moves only bodies with effects";
+    throw std::invalid_argument(expected + got + (findMethod(setup.method) ? kind : ""));
   }
-  const std::string objection = objectionTo(*method, sumOf(setup.inertia, setup.effects));
+  const std::string objection = torqued ? objectionTo(*method, sumOf(setup.inertia, setup.effects)) : "";
   if (!objection.empty()) throw std::invalid_argument(objection);
   checkStep(setup);
 }
 
 MotionSetup checked(MotionSetup setup) {
-  if (!setup.effects.empty()) {
-    checkTorqued(setup);
-  } else if (setup.method == kClosedForm) {
-    if (setup.step) throw std::invalid_argument("the closed form takes no step");
-  } else if (!findMethod(setup.method)) {
-    throw std::invalid_argument("method \"" + setup.method + "\" is not one of " + kClosedForm + ", " + methodNames());
-  } else {
-    checkStep(setup);
-  }
+  checkMethod(setup);
   if (!setup.omega_body.allFinite()) throw std::invalid_argument("angular velocity must be finite");
   if (const std::string problem = outOfRange(setup.inertia, setup.omega_body); !problem.empty()) {
     throw std::invalid_argument(problem);
@@ -61,24 +62,11 @@ Quaternion principalAttitude(const MotionSetup& setup) {
   return principalAxesAreBodyAxes(setup) ? setup.attitude : Quaternion(setup.attitude * setup.inertia.axes());
 }
 
-RotationState startOf(const MotionSetup& setup) {
-  return RotationState::fromOmega(setup.inertia.moments(), principalAttitude(setup),
-                                  setup.inertia.toPrincipal(setup.omega_body));
-}
-
-FreeFlow freeFlow(const MotionSetup& setup) {
-  return {findMethod(setup.method)->make(setup.inertia.moments())};
-}
-
-TorquedFlow torquedFlow(const MotionSetup& setup) {
-  return {findTorqueMethod(setup.method)->make(sumOf(setup.inertia, setup.effects))};
-}
-
 /** A slug starts with the body. */
-TorquedState torquedStart(const MotionSetup& setup, const Torques& torques) {
-  TorquedState start;
-  start.rotation = startOf(setup);
-  if (torques.slug()) start.slug_omega = setup.inertia.toPrincipal(setup.omega_body);
+RotationState startOf(const MotionSetup& setup, bool with_slug) {
+  const Eigen::Vector3d omega_principal = setup.inertia.toPrincipal(setup.omega_body);
+  RotationState start = RotationState::fromOmega(setup.inertia.moments(), principalAttitude(setup), omega_principal);
+  if (with_slug) start.slug_omega = omega_principal;
   return start;
 }
 
@@ -102,8 +90,7 @@ std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& o
   return !energy.empty() ? energy : problem("the squared angular momentum", invariants.momentum_squared);
 }
 
-template <class Flow>
-Motion::Place Motion::Grid<Flow>::locate(double t) const {
+Motion::Place Motion::Grid::locate(double t) const {
   const double distance = std::abs(t);
   const double n = std::floor(distance / step);
   if (!(n < kLargestGridIndex)) throw std::out_of_range("time is not finite, or too far for steps this short");
@@ -111,42 +98,40 @@ Motion::Place Motion::Grid<Flow>::locate(double t) const {
   return {static_cast<std::int64_t>(n), std::copysign(rest, t)};
 }
 
-template <class Flow>
-double Motion::Grid<Flow>::stepsTo(double t) const {
+double Motion::Grid::stepsTo(double t) const {
   if (!(std::abs(t) / step < kLargestGridIndex)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(towards(t).stepsTo(locate(t).n));
 }
 
-template <class Flow>
-typename Flow::State Motion::Grid<Flow>::at(double t) {
+RotationState Motion::Grid::at(double t) {
   const Place place = locate(t);
-  GridTrajectory<Flow>& grid = towards(t);
-  typename Flow::State state = grid.at(place.n);
-  if (place.remainder != 0)
-    grid.flow().advancePart(state, std::copysign(static_cast<double>(place.n) * step, t), place.remainder);
+  StepperTrajectory& grid = towards(t);
+  RotationState state = grid.at(place.n);
+  if (place.remainder != 0) {
+    grid.stepper().advanceFrom(state, std::copysign(static_cast<double>(place.n) * step, t), place.remainder);
+  }
   return state;
 }
 
 Motion::Motion(const MotionSetup& setup)
     : setup_(checked(setup)), principal_axes_are_body_axes_(principalAxesAreBodyAxes(setup_)) {
+  const Method* method = findMethod(setup_.method);
   if (!setup_.effects.empty()) {
-    const TorquedFlow flow = torquedFlow(setup_);
-    torqued_.emplace(flow, torquedStart(setup_, flow.stepper->torques()), *setup_.step);
+    torques_ = sumOf(setup_.inertia, setup_.effects);
+    grid_.emplace(method->make(*torques_), startOf(setup_, torques_->slug().has_value()), *setup_.step);
     return;
   }
   exact_.emplace(setup_.inertia.moments(), principalAttitude(setup_), setup_.inertia.toPrincipal(setup_.omega_body));
-  if (setup_.method != kClosedForm) grid_.emplace(freeFlow(setup_), startOf(setup_), *setup_.step);
+  if (method) grid_.emplace(method->make(setup_.inertia.moments()), startOf(setup_, false), *setup_.step);
 }
 
 double Motion::stepsTo(double t) const {
   if (grid_) return grid_->stepsTo(t);
-  if (torqued_) return torqued_->stepsTo(t);
   return std::isfinite(t) ? 0 : std::numeric_limits<double>::infinity();
 }
 
 bool Motion::prepare(double t, const std::atomic<bool>& cancel) {
   if (grid_) return grid_->prepare(t, cancel);
-  if (torqued_) return torqued_->prepare(t, cancel);
   if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
   return true;
 }
@@ -154,16 +139,15 @@ bool Motion::prepare(double t, const std::atomic<bool>& cancel) {
 Work Motion::work() const {
   Work work;
   if (grid_) (work += grid_->forwards.work()) += grid_->backwards.work();
-  if (torqued_) (work += torqued_->forwards.work()) += torqued_->backwards.work();
   return work;
 }
 
 bool Motion::conservesMomentum() const {
-  return !torqued_ && (!grid_ || findMethod(setup_.method)->conserves_momentum);
+  return !torques_ && (!grid_ || findMethod(setup_.method)->conserves_momentum);
 }
 
 double Motion::attitudeError(const MotionState& state) const {
-  if (torqued_) return std::numeric_limits<double>::quiet_NaN();
+  if (torques_) return std::numeric_limits<double>::quiet_NaN();
   if (!grid_) return 0;
   const Quaternion exact = exact_->at(state.time).attitude;
   return angleBetween(state.attitude,
@@ -174,38 +158,33 @@ MotionState Motion::at(double t) {
   const Eigen::Vector3d& moments = setup_.inertia.moments();
   if (grid_) {
     const RotationState state = grid_->at(t);
-    return describe(t, state, state.omegaBody(moments));
-  }
-  if (torqued_) {
-    const TorquedState state = torqued_->at(t);
-    MotionState out = describe(t, state.rotation, state.rotation.omegaBody(moments));
-    describeTorques(state, out);
+    MotionState out = describe(t, state, state.omegaBody(moments));
+    if (torques_) describeTorques(state, out);
     return out;
   }
   if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
   const ClosedForm::State state = exact_->at(t);
-  RotationState principal;  // nothing steps it: it needs no momentum to keep
+  FreeRotationState principal;  // nothing steps it: it needs no momentum to keep
   principal.attitude = state.attitude;
   principal.momentum_body = moments.cwiseProduct(state.omega_body);
   return describe(t, principal, state.omega_body);
 }
 
-void Motion::describeTorques(const TorquedState& principal, MotionState& out) const {
-  const Torques& torques = *this->torques();
-  const RotationState& rotation = principal.rotation;
+void Motion::describeTorques(const RotationState& principal, MotionState& out) const {
+  const Torques& torques = *torques_;
   const Torques::Constant& constant = torques.constant(torques.intervalAt(out.time));
-  out.torque_world = rotation.attitude * torques.at(out.time, constant, rotation.attitude,
-                                                    rotation.omegaBody(torques.moments()), principal.slug_omega);
+  out.torque_world = principal.attitude * torques.at(out.time, constant, principal.attitude,
+                                                     principal.omegaBody(torques.moments()), principal.slug_omega);
   if (torques.slug()) {
     out.slug_omega = setup_.inertia.toBody(principal.slug_omega);
-    out.momentum_world += rotation.attitude * (torques.slug()->inertia * principal.slug_omega);
+    out.momentum_world += principal.attitude * (torques.slug()->inertia * principal.slug_omega);
   }
   if (!out.torque_world.allFinite() || !out.slug_omega.allFinite() || !out.momentum_world.allFinite()) {
     throw std::range_error("the torque or the slug's rotation has left the range of doubles");
   }
 }
 
-MotionState Motion::describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const {
+MotionState Motion::describe(double t, const FreeRotationState& principal, const Eigen::Vector3d& omega) const {
   MotionState out;
   out.time = t;
   if (principal_axes_are_body_axes_) {
@@ -232,7 +211,7 @@ MotionState Motion::describe(double t, const RotationState& principal, const Eig
   if (!rotation_is_finite || !place_is_finite) {
     throw std::range_error(std::string(rotation_is_finite ? "the position or velocity" : "the rotation") +
                            " has left the range of doubles" +
-                           (torqued_ ? ", or moves faster than such steps can follow" : ""));
+                           (torques_ ? ", or moves faster than such steps can follow" : ""));
   }
   return out;
 }

@@ -13,15 +13,15 @@ RotationState RotationState::fromOmega(const Eigen::Vector3d& moments, const Qua
   return state;
 }
 
-void RotationState::keepMomentum() {
+void FreeRotationState::keepMomentum() {
   inlined::keepMomentum(*this, inlined::momentumWorld(*this));
 }
 
-void RotationState::keepMomentum(const Eigen::Vector3d& momentum_world) {
+void FreeRotationState::keepMomentum(const Eigen::Vector3d& momentum_world) {
   inlined::keepMomentum(*this, momentum_world);
 }
 
-Eigen::Vector3d RotationState::momentumWorld() const {
+Eigen::Vector3d FreeRotationState::momentumWorld() const {
   return inlined::momentumWorld(*this);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <vector>
 
 #include "poinsot/core/closed_form.h"
@@ -108,7 +109,7 @@ class Trial {
     RotationState state = place;
     for (int n = 1; n <= steps; ++n) {
       try {
-        stepper_->advance(state, step, 1);
+        stepper_->advance(state, 0, step, 1);
       } catch (const NoConvergence& error) {
         worst.broken = error.what();
         return;

@@ -1,6 +1,7 @@
 #include "poinsot/core/stepper_trajectory.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace poinsot {
 namespace {
@@ -11,17 +12,14 @@ constexpr std::size_t kMostCheckpoints = 16384;
 
 }  // namespace
 
-template <class Flow>
-GridTrajectory<Flow>::GridTrajectory(Flow flow, const State& start, double step)
-    : flow_(std::move(flow)), step_(step), cursor_{0, start}, coarse_{{0, start}}, spacing_(kFirstSpacing) {}
+StepperTrajectory::StepperTrajectory(std::shared_ptr<const Stepper> stepper, const RotationState& start, double step)
+    : stepper_(std::move(stepper)), step_(step), cursor_{0, start}, coarse_{{0, start}}, spacing_(kFirstSpacing) {}
 
-template <class Flow>
-std::int64_t GridTrajectory<Flow>::fineSpacing() const {
+std::int64_t StepperTrajectory::fineSpacing() const {
   return spacing_ / kFinePerCoarse;
 }
 
-template <class Flow>
-const typename GridTrajectory<Flow>::Checkpoint& GridTrajectory<Flow>::nearestBefore(std::int64_t n) const {
+const StepperTrajectory::Checkpoint& StepperTrajectory::nearestBefore(std::int64_t n) const {
   const auto last = [n](const std::vector<Checkpoint>& list) {
     const auto after = std::upper_bound(list.begin(), list.end(), n,
                                         [](std::int64_t value, const Checkpoint& c) { return value < c.n; });
@@ -33,20 +31,17 @@ const typename GridTrajectory<Flow>::Checkpoint& GridTrajectory<Flow>::nearestBe
   return *best;
 }
 
-template <class Flow>
-std::int64_t GridTrajectory<Flow>::stepsTo(std::int64_t n) const {
+std::int64_t StepperTrajectory::stepsTo(std::int64_t n) const {
   return n - nearestBefore(n).n;
 }
 
-template <class Flow>
-const typename GridTrajectory<Flow>::State& GridTrajectory<Flow>::at(std::int64_t n) {
+const RotationState& StepperTrajectory::at(std::int64_t n) {
   static const std::atomic<bool> never{false};
   moveTo(n, never);
   return cursor_.state;
 }
 
-template <class Flow>
-bool GridTrajectory<Flow>::moveTo(std::int64_t n, const std::atomic<bool>& cancel) {
+bool StepperTrajectory::moveTo(std::int64_t n, const std::atomic<bool>& cancel) {
   if (const Checkpoint& start = nearestBefore(n); &start != &cursor_) cursor_ = Checkpoint(start);
   while (cursor_.n < n) {
     if (cancel) return false;
@@ -59,14 +54,12 @@ bool GridTrajectory<Flow>::moveTo(std::int64_t n, const std::atomic<bool>& cance
   return true;
 }
 
-template <class Flow>
-void GridTrajectory<Flow>::advanceTo(std::int64_t n) {
-  work_ += flow_.advance(cursor_.state, cursor_.n, step_, n - cursor_.n);
+void StepperTrajectory::advanceTo(std::int64_t n) {
+  work_ += stepper_->advance(cursor_.state, cursor_.n, step_, n - cursor_.n);
   cursor_.n = n;
 }
 
-template <class Flow>
-void GridTrajectory<Flow>::remember(bool known) {
+void StepperTrajectory::remember(bool known) {
   if (cursor_.n % spacing_ == 0) {
     if (cursor_.n <= coarse_.back().n) return;
     coarse_.push_back(cursor_);
@@ -84,8 +77,5 @@ void GridTrajectory<Flow>::remember(bool known) {
     fine_.push_back(cursor_);
   }
 }
-
-template class GridTrajectory<FreeFlow>;
-template class GridTrajectory<TorquedFlow>;
 
 }  // namespace poinsot

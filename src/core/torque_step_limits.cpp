@@ -2,8 +2,10 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 
+#include "poinsot/core/method.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
 
@@ -24,24 +26,24 @@ std::string format(const char* text, double value) {
 
 class Trial {
  public:
-  Trial(const TorqueMethod& method, const Torques& torques, const TorquedState& start)
-      : stepper_(method.make(torques)), truth_(findTorqueMethod("taylor24")->make(torques)), start_(start) {}
+  Trial(const Method& method, const Torques& torques, const RotationState& start)
+      : stepper_(method.make(torques)), truth_(findMethod("taylor24")->make(torques)), start_(start) {}
 
   StepJudgement at(double step) const {
-    TorquedState state = start_, truth = start_;
+    RotationState state = start_, truth = start_;
     double worst = 0;
     for (int n = 0; n < kSteps; ++n) {
       try {
-        stepper_->advance(state, n * step, step);
+        stepper_->advance(state, n, step, 1);
       } catch (const std::exception& error) {
         return {Grade::hopeless, error.what(), 0};
       }
-      truth_->advance(truth, n * step, step);
-      if (!truth.rotation.momentum_body.allFinite()) {
+      truth_->advance(truth, n, step, 1);
+      if (!truth.momentum_body.allFinite()) {
         return {Grade::hopeless, "it is so long that the motion cannot be followed in 262144 parts of it either", 0};
       }
-      const double angle = angleBetween(state.rotation.attitude, truth.rotation.attitude);
-      if (!state.rotation.momentum_body.allFinite() || !(angle <= kHopeless)) {
+      const double angle = angleBetween(state.attitude, truth.attitude);
+      if (!state.momentum_body.allFinite() || !(angle <= kHopeless)) {
         return {Grade::hopeless, format("the attitude goes wrong by more than 1 rad within %.0f steps", n + 1), 0};
       }
       worst = std::max(worst, angle);
@@ -52,17 +54,16 @@ class Trial {
   }
 
  private:
-  std::unique_ptr<TorqueStepper> stepper_, truth_;
-  TorquedState start_;
+  std::unique_ptr<Stepper> stepper_, truth_;
+  RotationState start_;
 };
 
 }  // namespace
 
-StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Quaternion& attitude,
-                              const Eigen::Vector3d& omega_body, double step) {
+StepJudgement judgeStep(const Method& method, const Torques& torques, const Quaternion& attitude,
+                        const Eigen::Vector3d& omega_body, double step) {
   if (method.cuts_steps) return {};
-  TorquedState start;
-  start.rotation = RotationState::fromOmega(torques.moments(), attitude, omega_body);
+  RotationState start = RotationState::fromOmega(torques.moments(), attitude, omega_body);
   if (torques.slug()) start.slug_omega = omega_body;
   const Trial trial(method, torques, start);
   StepJudgement judgement = trial.at(step);

@@ -9,7 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
+#include "poinsot/core/motion.h"
 #include "poinsot/cost/cpu_time.h"
 
 namespace poinsot::cost {
@@ -78,7 +79,7 @@ class Stretches {
       sink = motion.at(timeOfStep(first)).time;
       starts_.push_back({first, motion, {}, looks(first, rate)});
     }
-    if (!setup.effects.empty()) findTorquedStates();
+    if (!setup.effects.empty()) findRotationStates();
   }
 
   /** Of all stretches together. */
@@ -114,15 +115,15 @@ class Stretches {
 
   /** Steps and torques alone, for each choice among the effects, in turn so that whatever disturbs disturbs all. */
   std::vector<Times> underTorques(const std::vector<std::set<std::size_t>>& choices) const {
-    std::vector<std::unique_ptr<TorqueStepper>> steppers;
-    for (const auto& types : choices) steppers.push_back(stepper(only(setup_.effects, types)));
+    std::vector<Bound> bound;
+    for (const auto& types : choices) bound.push_back(boundTo(only(setup_.effects, types)));
     std::vector<Times> sums(choices.size());
     for (const Start& start : starts_) {
       std::vector<Fastest> steps(choices.size()), states(choices.size());
       for (int r = 0; r < kRepetitions; ++r) {
         for (std::size_t k = 0; k < choices.size(); ++k) {
-          steps[k].measure([&] { takeSteps(*steppers[k], start); });
-          states[k].measure([&] { takeLooks(*steppers[k], start); });
+          steps[k].measure([&] { takeSteps(*bound[k].stepper, start); });
+          states[k].measure([&] { takeLooks(bound[k], start); });
         }
       }
       for (std::size_t k = 0; k < choices.size(); ++k) add(start, steps[k], states[k], sums[k]);
@@ -132,11 +133,11 @@ class Stretches {
 
   /** Evaluations of the torque by whole steps, and by partial steps and states. */
   std::pair<double, double> evaluations() const {
-    const std::unique_ptr<TorqueStepper> all = stepper(setup_.effects);
+    const Bound all = boundTo(setup_.effects);
     std::pair<double, double> sum(0, 0);
     for (const Start& start : starts_) {
-      sum.first += static_cast<double>(takeSteps(*all, start).torques);
-      sum.second += static_cast<double>(takeLooks(*all, start).torques);
+      sum.first += static_cast<double>(takeSteps(*all.stepper, start).torques);
+      sum.second += static_cast<double>(takeLooks(all, start).torques);
     }
     return sum;
   }
@@ -147,10 +148,15 @@ class Stretches {
     std::int64_t step;  ///< of the stretch
     double rest;        ///< beyond it [s]
   };
+  /** The body's method and what acts on it. */
+  struct Bound {
+    Torques torques;
+    std::shared_ptr<const Stepper> stepper;
+  };
   struct Start {
     std::int64_t first;  ///< step
     Motion motion;       ///< has come there
-    TorquedState state;
+    RotationState state;
     std::vector<Look> looks;
   };
 
@@ -182,43 +188,42 @@ class Stretches {
     sum.states += states.time - stepped * steps.time;
   }
 
-  std::unique_ptr<TorqueStepper> stepper(const std::vector<Effect>& effects) const {
-    return findTorqueMethod(setup_.method)->make(sumOf(setup_.inertia, effects));
+  Bound boundTo(const std::vector<Effect>& effects) const {
+    const Torques torques = sumOf(setup_.inertia, effects);
+    return {torques, findMethod(setup_.method)->make(torques)};
   }
 
-  void findTorquedStates() {
-    const std::shared_ptr<TorqueStepper> all = stepper(setup_.effects);
-    const Eigen::Vector3d omega = setup_.inertia.toPrincipal(setup_.omega_body);
-    TorquedState state;
-    state.rotation =
-        RotationState::fromOmega(setup_.inertia.moments(), setup_.attitude.normalized() * setup_.inertia.axes(), omega);
-    if (all->torques().slug()) state.slug_omega = omega;
-    TorquedTrajectory trajectory({all}, state, step_);
+  void findRotationStates() {
+    const Eigen::Vector3d omega_principal = setup_.inertia.toPrincipal(setup_.omega_body);
+    RotationState state = RotationState::fromOmega(
+        setup_.inertia.moments(), setup_.attitude.normalized() * setup_.inertia.axes(), omega_principal);
+    const Bound all = boundTo(setup_.effects);
+    if (all.torques.slug()) state.slug_omega = omega_principal;
+    StepperTrajectory trajectory(all.stepper, state, step_);
     for (Start& start : starts_) start.state = trajectory.at(start.first);
   }
 
-  Work takeSteps(const TorqueStepper& stepper, const Start& start) const {
-    TorquedState state = start.state;
-    Work work;
-    for (std::int64_t i = 0; i < length_; ++i) work += stepper.advance(state, timeOfStep(start.first + i), step_);
-    sink = state.rotation.attitude.w();
+  Work takeSteps(const Stepper& stepper, const Start& start) const {
+    RotationState state = start.state;
+    const Work work = stepper.advance(state, start.first, step_, length_);
+    sink = state.attitude.w();
     return work;
   }
 
   /** What Motion does to have states, as far as it depends on torques. @return without the whole steps. */
-  Work takeLooks(const TorqueStepper& stepper, const Start& start) const {
-    const Torques& torques = stepper.torques();
-    TorquedState state = start.state;
+  Work takeLooks(const Bound& bound, const Start& start) const {
+    const auto& [torques, stepper] = bound;
+    RotationState state = start.state;
     Work work;
     std::int64_t i = 0;
     for (const Look& look : start.looks) {
-      for (; i < look.step; ++i) stepper.advance(state, timeOfStep(start.first + i), step_);
-      TorquedState there = state;
+      for (; i < look.step; ++i) stepper->advance(state, start.first + i, step_, 1);
+      RotationState there = state;
       const double begin = timeOfStep(start.first + i), t = begin + look.rest;
-      if (look.rest > 0) work += stepper.advance(there, begin, look.rest);
-      const Eigen::Vector3d omega = there.rotation.omegaBody(torques.moments());
+      if (look.rest > 0) work += stepper->advanceFrom(there, begin, look.rest);
+      const Eigen::Vector3d omega = there.omegaBody(torques.moments());
       const Torques::Constant& constant = torques.constant(torques.intervalAt(t));
-      sink = torques.at(t, constant, there.rotation.attitude, omega, there.slug_omega).x();
+      sink = torques.at(t, constant, there.attitude, omega, there.slug_omega).x();
       ++work.torques;
     }
     return work;

@@ -1,7 +1,6 @@
 #include "poinsot/cost/method_costs.h"
 
 #include "poinsot/core/closed_form.h"
-#include "poinsot/cost/torque_choice.h"
 
 namespace poinsot::cost {
 
@@ -30,14 +29,14 @@ const MethodCosts& nominalCosts() {
       {"dmv6", {290 * ns, 73 * ns}},
       {"dmv8", {346 * ns, 73 * ns}},
       {"dmv10", {400 * ns, 73 * ns}},
-      {torqueCostName("taylor8"), {184 * ns, 138 * ns}},
-      {torqueCostName("taylor12"), {257 * ns, 207 * ns}},
-      {torqueCostName("taylor16"), {364 * ns, 300 * ns}},
-      {torqueCostName("taylor20"), {480 * ns, 415 * ns}},
-      {torqueCostName("taylor24"), {620 * ns, 560 * ns}},
-      {torqueCostName("aba84"), {1198 * ns, 1469 * ns}},
-      {torqueCostName("buss2"), {147 * ns, 71 * ns}},
-      {torqueCostName("rk4"), {259 * ns, 189 * ns}},
+      {costName("taylor8", true), {184 * ns, 138 * ns}},
+      {costName("taylor12", true), {257 * ns, 207 * ns}},
+      {costName("taylor16", true), {364 * ns, 300 * ns}},
+      {costName("taylor20", true), {480 * ns, 415 * ns}},
+      {costName("taylor24", true), {620 * ns, 560 * ns}},
+      {costName("aba84", true), {1198 * ns, 1469 * ns}},
+      {costName("buss2", true), {147 * ns, 71 * ns}},
+      {costName("rk4", true), {259 * ns, 189 * ns}},
   });
   return costs;
 }

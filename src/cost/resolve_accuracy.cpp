@@ -5,7 +5,6 @@
 #include "poinsot/core/number_text.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
-#include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 
@@ -40,7 +39,7 @@ Choice asWellAsCanBe(const MotionSetup& setup, const AccuracyRequest& request, c
   try {
     return choose(setup, request, costs, cancel);
   } catch (const Unreachable&) {
-    return mostExactUnderTorques(setup, request, costs, cancel);
+    return mostExact(setup, request, costs, cancel);
   }
 }
 

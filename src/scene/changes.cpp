@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "number.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/step_limits.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
 #include "poinsot/scene/reader.h"
 #include "step_verdict.h"
 #include "words.h"
@@ -48,11 +47,11 @@ std::vector<std::string> methodsFor(const Body& body) {
   std::vector<std::string> out;
   if (body.effects.empty()) {
     out.push_back(kClosedForm);
-    for (const Method& method : methods()) out.push_back(method.name);
+    for (const Method& method : freeMethods()) out.push_back(method.name);
     return out;
   }
   const Torques torques = sumOf(body.inertia, body.effects);
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (objectionTo(method, torques).empty()) out.push_back(method.name);
   }
   return out;

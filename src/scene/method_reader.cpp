@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "number.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
+#include "poinsot/scene/changes.h"
 #include "step_verdict.h"
 #include "words.h"
 
@@ -18,38 +18,23 @@ constexpr double kLargestAccuracy = 1;      // rad
 // Where a scene names neither method nor accuracy for a body with effects. The time is about that of a look at a scene.
 constexpr double kDefaultAccuracy = 1e-9, kDefaultHorizon = 60;  // rad, s
 
-/** Of a free body; with `stepper`, which stands for any of the others. */
-std::vector<std::string> namesOfMethods() {
-  std::vector<std::string> names = {kClosedForm};
-  for (const Method& method : methods()) names.push_back(method.name);
-  names.push_back(kAnyStepper);
-  return names;
-}
-
-/** The same of a body with effects. */
-std::vector<std::string> namesOfTorqueMethods() {
+/** What a scene may name as the method of a body; "stepper" among them. */
+std::vector<std::string> namesOfMethods(bool with_effects) {
   std::vector<std::string> names;
-  for (const TorqueMethod& method : torqueMethods()) names.push_back(method.name);
+  if (!with_effects) names.push_back(kClosedForm);
+  for (const Method& method : with_effects ? torquedMethods() : freeMethods()) names.push_back(method.name);
   names.push_back(kAnyStepper);
-  return names;
-}
-
-std::vector<std::string> candidatesUnder(const Torques& torques) {
-  std::vector<std::string> names;
-  for (const TorqueMethod& method : torqueMethods()) {
-    if (objectionTo(method, torques).empty()) names.push_back(method.name);
-  }
   return names;
 }
 
 std::string readMethodName(const Place& place, const Body& body) {
-  const std::vector<std::string> names = namesOfMethods(), torque_names = namesOfTorqueMethods();
-  const auto isOne = [](const std::vector<std::string>& list, const std::string& word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-  };
+  const bool with_effects = !body.effects.empty();
+  const std::vector<std::string> names = namesOfMethods(with_effects), others = namesOfMethods(!with_effects);
   const std::string word = place.node().IsScalar() ? place.node().Scalar() : "";
-  if (body.effects.empty()) {
-    if (isOne(torque_names, word) && !isOne(names, word)) {
+  const bool belongs_to_others = std::find(names.begin(), names.end(), word) == names.end() &&
+                                 std::find(others.begin(), others.end(), word) != others.end();
+  if (!with_effects) {
+    if (belongs_to_others) {
       place.refuse(word + " is a method for bodies with effects, and nothing acts on this one", joined(names));
     }
     return readChoice(place, names);
@@ -57,15 +42,15 @@ std::string readMethodName(const Place& place, const Body& body) {
   const std::string effect = nameOf(body.effects.front());
   if (word == kClosedForm) {
     place.refuse("closed_form is the motion of a free body, and " + effect + " makes it another, which has none",
-                 joined(torque_names) + ", or no method, which leaves the choice");
+                 joined(names) + ", or no method, which leaves the choice");
   }
-  if (isOne(names, word) && !isOne(torque_names, word)) {
-    place.refuse(word + " is a method for free bodies and takes no " + effect, joined(torque_names));
+  if (belongs_to_others) {
+    place.refuse(word + " is a method for free bodies and takes no " + effect, joined(names));
   }
-  const std::string name = readChoice(place, torque_names);
-  if (const TorqueMethod* method = findTorqueMethod(name)) {
+  const std::string name = readChoice(place, names);
+  if (const Method* method = findMethod(name)) {
     const std::string objection = objectionTo(*method, sumOf(body.inertia, body.effects));
-    if (!objection.empty()) place.refuse(objection, joined(candidatesUnder(sumOf(body.inertia, body.effects))));
+    if (!objection.empty()) place.refuse(objection, joined(methodsFor(body)));
   }
   return name;
 }
@@ -91,11 +76,9 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOption
   out.horizon = readHorizon(fields, options);
   if (!method.empty() && method != kAnyStepper) {
     out.candidates = {method};
-  } else if (!body.effects.empty()) {
-    out.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
   } else {
-    if (method.empty()) out.candidates.push_back(kClosedForm);
-    for (const Method& candidate : methods()) out.candidates.push_back(candidate.name);
+    out.candidates = methodsFor(body);
+    if (method == kAnyStepper && body.effects.empty()) out.candidates.erase(out.candidates.begin());  // closed_form
   }
   out.place = place.message("");
   return out;
@@ -130,17 +113,17 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
   if (body.method == kAnyStepper) {
     method->refuse("stepper leaves it to an accuracy which one, and the key accuracy is missing",
                    "accuracy and horizon beside it, or one of " +
-                       (body.effects.empty() ? methodNames() : torqueMethodNames()) + " and a step");
+                       methodNames(body.effects.empty() ? freeMethods() : torquedMethods()) + " and a step");
   }
   if (!body.effects.empty() && !method) {
     if (step) {
       step->refuse("no method is named that would take it",
-                   "no step, or one beside a method: " + joined(candidatesUnder(sumOf(body.inertia, body.effects))));
+                   "no step, or one beside a method: " + joined(methodsFor(body)));
     }
     Accuracy usual;
     usual.error = kDefaultAccuracy;
     usual.horizon = options.horizon.value_or(kDefaultHorizon);
-    usual.candidates = candidatesUnder(sumOf(body.inertia, body.effects));
+    usual.candidates = methodsFor(body);
     usual.place = fields.place().message("");
     usual.by_default = true;
     body.accuracy = usual;
@@ -150,7 +133,7 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
     if (!step) return;
     step->refuse(
         method ? "closed_form takes no step" : "no method is named, and the default, closed_form, takes no step",
-        "no step, or one beside a method that steps: " + methodNames());
+        "no step, or one beside a method that steps: " + methodNames(freeMethods()));
   }
   if (!step) {
     method->refuse(body.method + " goes in steps and the key step is missing",

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "number.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
+#include "poinsot/core/step_limits.h"
 
 namespace poinsot::scene {
 namespace {
@@ -17,9 +17,9 @@ double roundedDown(double x) {
 
 StepJudgement judgement(const Body& body) {
   const Eigen::Vector3d omega = body.inertia.toPrincipal(body.omega_body);
-  if (body.effects.empty()) return judgeStep(*findMethod(body.method), body.inertia.moments(), omega, *body.step);
-  return judgeTorqueStep(*findTorqueMethod(body.method), sumOf(body.inertia, body.effects),
-                         body.attitude * body.inertia.axes(), omega, *body.step);
+  const Method& method = *findMethod(body.method);
+  if (body.effects.empty()) return judgeStep(method, body.inertia.moments(), omega, *body.step);
+  return judgeStep(method, sumOf(body.inertia, body.effects), body.attitude * body.inertia.axes(), omega, *body.step);
 }
 
 }  // namespace

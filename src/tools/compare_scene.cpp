@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/method.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/scene/motion_setup.h"
@@ -55,7 +55,7 @@ std::size_t indexOf(const scene::Scene& scene, const std::string& name) {
 /** The stepper that is cheapest for a good accuracy. */
 cost::Choice goodStepper(const MotionSetup& setup, double rate, const cost::MethodCosts& costs) {
   std::vector<std::string> candidates;
-  for (const Method& method : methods()) {
+  for (const Method& method : freeMethods()) {
     const std::string name = method.name;
     if (name != "lie_euler" && name != "buss2") candidates.push_back(name);
   }

@@ -11,10 +11,10 @@
 #include "csv_rows.h"
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/step_limits.h"
-#include "poinsot/core/stepper.h"
 #include "worst_errors.h"
 
 namespace {
@@ -113,7 +113,7 @@ struct Way {
 void step(Task& task, const Way& way) {
   const double n = stepsFor(task, way.step);
   auto state = poinsot::RotationState::fromOmega(task.moments, task.attitude, task.omega);
-  way.method->make(task.moments)->advance(state, task.t / n, static_cast<std::int64_t>(n));
+  way.method->make(task.moments)->advance(state, 0, task.t / n, static_cast<std::int64_t>(n));
   task.attitude = state.attitude;
   task.omega = state.omegaBody(task.moments);
 }
@@ -183,16 +183,17 @@ double readStep(const std::string& text) {
 }
 
 std::string allMethodNames() {
-  return poinsot::kClosedForm + (", " + poinsot::methodNames());
+  return poinsot::kClosedForm + (", " + poinsot::methodNames(poinsot::freeMethods()));
 }
 
 Way readWay(const std::string& method_name, const std::optional<std::string>& step) {
   if (method_name == poinsot::kClosedForm) {
     if (step)
-      throw std::invalid_argument("--step is for steppers (" + poinsot::methodNames() + "); closed_form takes none");
+      throw std::invalid_argument("--step is for steppers (" + poinsot::methodNames(poinsot::freeMethods()) +
+                                  "); closed_form takes none");
     return {nullptr, std::numeric_limits<double>::infinity()};
   }
-  const poinsot::Method* method = poinsot::findMethod(method_name);
+  const poinsot::Method* method = poinsot::findMethod(method_name, poinsot::freeMethods());
   if (!method) throw std::invalid_argument("there is no method \"" + method_name + "\"; there is " + allMethodNames());
   if (!step) throw std::invalid_argument("method " + method_name + " needs --step");
   return {method, readStep(*step)};

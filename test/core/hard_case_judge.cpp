@@ -111,7 +111,7 @@ Measured measure(const Method& method, const HardCase& c) {
   std::int64_t n = 0;
   for (const std::int64_t next : looks(c, rates.turn)) {
     try {
-      stepper->advance(state, c.step, next - n);
+      stepper->advance(state, 0, c.step, next - n);
     } catch (const NoConvergence&) {
       state.attitude.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());  // no state: as good as none
     }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "hard_cases.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/step_limits.h"
-#include "poinsot/core/stepper.h"
 
 namespace poinsot {
 

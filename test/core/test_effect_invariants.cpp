@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "comparisons.h"
+#include "poinsot/core/method.h"
 #include "torqued_bodies.h"
 
 namespace poinsot {
@@ -100,11 +101,11 @@ bool keepsToRounding(const std::string& name, const std::string& method) {
 
 TEST(EffectInvariants, areKeptAsWellAsTheDocumentSays) {
   std::printf("|Omega|h = 0.05, %g s: greatest change, relative\n%-26s", kTime, "");
-  for (const TorqueMethod& method : torqueMethods()) std::printf("%9s", method.name);
+  for (const Method& method : torquedMethods()) std::printf("%9s", method.name);
   std::printf("\n");
   for (const Invariant& one : invariants()) {
     std::printf("%-26s", one.name);
-    for (const TorqueMethod& method : torqueMethods()) {
+    for (const Method& method : torquedMethods()) {
       if (one.damped && !method.takes_damping) {
         std::printf("%9s", "-");
         continue;
@@ -201,7 +202,7 @@ TEST(EffectInvariants, energyFallsAtTheRateOfTheFormula) {
 }
 
 TEST(EffectInvariants, aDampedSphereSlowsExponentiallyAboutAFixedAxis) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (!method.takes_damping) continue;
     MotionSetup setup = torquedBody({ViscousDamping{{0.3, 0.3, 0.3}}}, method.name, 0.05);
     setup.inertia = PrincipalInertia::fromMoments({2, 2, 2});

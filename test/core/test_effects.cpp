@@ -8,6 +8,7 @@
 
 #include "comparisons.h"
 #include "draws.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/step_limits.h"
 #include "torqued_bodies.h"
@@ -33,7 +34,7 @@ double apart(const MotionState& a, const MotionState& b) {
 
 std::vector<std::string> methodsFor(const NamedEffects& one) {
   std::vector<std::string> names;
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (method.takes_damping || !one.damped) names.push_back(method.name);
   }
   return names;
@@ -209,14 +210,13 @@ TEST(Torques, ofAnyNumberOfForcesIsTheirSum) {
       EXPECT_LE((inertia.axes() * principal - sum).norm(), 1e-14) << count;
     }
     // And a stepper carries them: a step is the one that the sum of levers times forces takes.
-    TorquedState state;
-    state.rotation = RotationState::fromOmega(inertia.moments(), draws.attitude(), {0.1, 0.2, 0.3});
-    TorquedState other = state;
-    findTorqueMethod("taylor24")->make(torques)->advance(state, 0, 0.1);
-    const auto rk4 = findTorqueMethod("rk4")->make(torques);
-    for (int i = 0; i < 1000; ++i) rk4->advance(other, 0, 1e-4);
-    EXPECT_LE(angle(state.rotation.attitude, other.rotation.attitude), 1e-14) << count;
-    EXPECT_LE((state.rotation.momentum_body - other.rotation.momentum_body).norm(), 1e-14) << count;
+    RotationState state = RotationState::fromOmega(inertia.moments(), draws.attitude(), {0.1, 0.2, 0.3});
+    RotationState other = state;
+    findMethod("taylor24")->make(torques)->advanceFrom(state, 0, 0.1);
+    const auto rk4 = findMethod("rk4")->make(torques);
+    for (int i = 0; i < 1000; ++i) rk4->advanceFrom(other, 0, 1e-4);
+    EXPECT_LE(angle(state.attitude, other.attitude), 1e-14) << count;
+    EXPECT_LE((state.momentum_body - other.momentum_body).norm(), 1e-14) << count;
   }
 }
 
@@ -290,13 +290,15 @@ TEST(Effects, aMethodForFreeBodiesTakesNoneAndSaysWhy) {
   };
   MotionSetup closed = torquedBody(weight, kClosedForm);
   closed.step.reset();
-  EXPECT_NE(message(closed).find("closed_form is the motion of a free body; gravity_torque makes it another"),
+  EXPECT_NE(message(closed).find("closed_form\", the motion of a free body: gravity_torque acts on this one"),
             std::string::npos)
       << message(closed);
-  for (const Method& method : methods()) {
-    if (findTorqueMethod(method.name)) continue;
-    EXPECT_NE(message(torquedBody(weight, method.name)).find("takes no torques; taylor8, "), std::string::npos)
-        << method.name;
+  for (const Method& method : freeMethods()) {
+    if (method.make_torqued) continue;
+    const std::string refusal = message(torquedBody(weight, method.name));
+    EXPECT_NE(refusal.find("expected one of taylor8, "), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find(std::string("got \"") + method.name + "\", which takes no torques"), std::string::npos)
+        << refusal;
   }
   EXPECT_NE(message(torquedBody({ViscousDamping{{1, 1, 1}}}, "aba84")).find("not damping or dissipation"),
             std::string::npos);
@@ -316,7 +318,7 @@ TEST(Schedule, switchesAreHitExactly) {
                                                          {1.1, 1.7000000001, Axes::world, {-0.4, 0.1, 0.6}},
                                                          {2.05, 2.051, Axes::body, {40, -30, 60}}};
   const std::vector<double> cuts = {0, 0.3, 1.1, 1.7000000001, 2.05, 2.051, 3};
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     // Pieces by hand, by a method that needs no care at their steps.
     MotionState state = Motion(torquedBody({ConstantTorque{}})).at(0);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -414,7 +416,7 @@ TEST(Effects, allMethodsAgreeOnThePast) {
     const MotionState truth = Motion(torquedBody(one.effects, "taylor24", 0.05)).at(-2.5);
     for (const std::string& method : methodsFor(one)) {
       const double step = 2e-3;
-      const int order = findTorqueMethod(method)->order;
+      const int order = findMethod(method)->order;
       const double allowed = order == 2 ? 1e-4 : order == 4 ? 1e-9 : 1e-14;
       EXPECT_LE(apart(Motion(torquedBody(one.effects, method, step)).at(-2.5), truth), allowed)
           << one.name << " " << method;
@@ -434,7 +436,7 @@ TEST(HardEffects, fromRestEachEffectThatPushesMovesTheBody) {
     for (const std::string& method : methodsFor(one)) {
       setup.method = method;
       setup.step = 2e-3;
-      const int order = findTorqueMethod(method)->order;
+      const int order = findMethod(method)->order;
       EXPECT_LE(apart(Motion(setup).at(3), truth), order == 2   ? 1e-4
                                                    : order == 4 ? 1e-9
                                                                 : 1e-14)
@@ -445,7 +447,7 @@ TEST(HardEffects, fromRestEachEffectThatPushesMovesTheBody) {
 
 // The torque is zero at first, and so are Ω and its derivative.
 TEST(HardEffects, fromRestWhereTheTorqueIsZeroAtFirst) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     MotionSetup setup = torquedBody({GravityGradient{0.5, {0, 0, 1}, {1, 0, 0}}}, method.name, 1e-3);
     setup.attitude = Quaterniond::Identity();
     setup.omega_body.setZero();
@@ -461,7 +463,7 @@ TEST(HardEffects, fromRestWhereTheTorqueIsZeroAtFirst) {
 }
 
 TEST(HardEffects, atRestWithoutATorqueNothingMoves) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     for (const double step : {1e-20, 0.1, 1e20}) {
       for (const bool hanging : {true, false}) {
         MotionSetup setup = torquedBody({}, method.name, step);
@@ -549,7 +551,7 @@ TEST(HardEffects, stepsThatSufficeAreNotCut) {
 
 // A torque that turns the body a thousand times in a step: cut as needed by those that say so.
 TEST(HardEffects, hugeTorqueIsFollowedByMethodsThatCutTheirSteps) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (!method.cuts_steps) continue;
     MotionSetup setup = torquedBody({ConstantTorque{Axes::body, {0, 0, 2.1e4}}}, method.name, 1);
     setup.omega_body = {0, 0, 0};
@@ -568,7 +570,7 @@ TEST(HardEffects, hugeTorqueIsFollowedByMethodsThatCutTheirSteps) {
 // ch/I from 1e-3 to 1e5: Taylor cuts its steps and stays finite; the speed of what has come to rest is zero to the
 // accuracy of the start.
 TEST(HardEffects, stiffDampingIsCutNotBlownUp) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (!method.cuts_steps) continue;
     for (const double stiff : {1e-3, 1.0, 10.0, 1e3, 1e5}) {
       const double step = 0.1, c = stiff * 2 / step;
@@ -590,7 +592,7 @@ TEST(HardEffects, stiffDampingIsCutNotBlownUp) {
 
 // A slug so light that Ω hardly feels it, and so tight that its own rate is stiff: σ is held to its equation too.
 TEST(HardEffects, aLightTightSlugFollowsTheBody) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (!method.cuts_steps) continue;
     MotionSetup setup = torquedBody({InternalDissipation{1e-12, 1e-10}}, method.name, 0.2);  // c/J = 100 1/s
     Motion motion(setup);
@@ -613,7 +615,7 @@ TEST(HardEffects, whatCannotBeFollowedIsAnErrorNeverNaN) {
                {"a slug too tight to cut", {InternalDissipation{1e-30, 1}}, 1, 10},
                {"an orbit too fast to follow", {GravityGradient{1e30, {0, 0, 1}, {1, 0, 0}}}, 1, 10}};
   for (const auto& c : cases) {
-    for (const TorqueMethod& method : torqueMethods()) {
+    for (const Method& method : torquedMethods()) {
       MotionSetup setup = torquedBody(c.effects, method.name, c.step);
       if (!objectionTo(method, sumOf(setup.inertia, setup.effects)).empty()) continue;
       Motion motion(setup);
@@ -668,14 +670,14 @@ TEST(HardEffects, noConvergenceLeavesTheMotionAsItWas) {
     EXPECT_TRUE(same(motion.at(t), Motion(torquedBody(effects, "aba84", 0.5)).at(t))) << t;
   }
   // The same with a switch inside the step that fails.
-  TorquedState state;
+  RotationState state;
   const Torques torques =
       sumOf(PrincipalInertia::fromMoments({1, 1.7, 2.1}), {TorqueSchedule{{{0.01, 0.02, Axes::body, {1, 0, 0}}}}});
-  state.rotation = RotationState::fromOmega(torques.moments(), Quaterniond::Identity(), {300, 100, 50});
-  const RotationState before = state.rotation;
-  EXPECT_THROW(findTorqueMethod("aba84")->make(torques)->advance(state, 0, 1), NoConvergence);
-  EXPECT_EQ(state.rotation.momentum_body, before.momentum_body);
-  EXPECT_EQ(state.rotation.attitude.coeffs(), before.attitude.coeffs());
+  state = RotationState::fromOmega(torques.moments(), Quaterniond::Identity(), {300, 100, 50});
+  const RotationState before = state;
+  EXPECT_THROW(findMethod("aba84")->make(torques)->advanceFrom(state, 0, 1), NoConvergence);
+  EXPECT_EQ(state.momentum_body, before.momentum_body);
+  EXPECT_EQ(state.attitude.coeffs(), before.attitude.coeffs());
 }
 
 TEST(HardEffects, theQuaternionStaysUnitForAMillionSteps) {
@@ -698,8 +700,8 @@ TEST(HardEffects, theQuaternionStaysUnitForAMillionSteps) {
 
 StepJudgement judged(const std::string& method, const std::vector<Effect>& effects, double step) {
   const MotionSetup setup = torquedBody(effects);
-  return judgeTorqueStep(*findTorqueMethod(method), sumOf(setup.inertia, effects), setup.attitude.normalized(),
-                         setup.omega_body, step);
+  return judgeStep(*findMethod(method), sumOf(setup.inertia, effects), setup.attitude.normalized(), setup.omega_body,
+                   step);
 }
 
 TEST(TorqueStepLimits, shortStepsAreSoundAndLongOnesHopeless) {
@@ -707,7 +709,7 @@ TEST(TorqueStepLimits, shortStepsAreSoundAndLongOnesHopeless) {
   for (const NamedEffects& one : eachEffect()) {
     for (const std::string& method : methodsFor(one)) {
       EXPECT_EQ(judged(method, one.effects, 0.01).grade, Grade::sound) << one.name << " " << method;
-      if (findTorqueMethod(method)->cuts_steps) {
+      if (findMethod(method)->cuts_steps) {
         EXPECT_EQ(judged(method, one.effects, 100).grade, Grade::sound);
         continue;
       }

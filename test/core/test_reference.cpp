@@ -9,8 +9,8 @@
 #include <set>
 
 #include "poinsot/core/inertia.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/rotation.h"
-#include "poinsot/core/stepper.h"
 #include "reference_rows.h"
 
 namespace poinsot {
@@ -50,7 +50,7 @@ class Ladder {
     const auto known = errors_.find(k);
     if (known != errors_.end()) return known->second;
     RotationState state = start_;
-    stepper_->advance(state, row_.t / steps(k), static_cast<std::int64_t>(steps(k)));
+    stepper_->advance(state, 0, row_.t / steps(k), static_cast<std::int64_t>(steps(k)));
     return errors_[k] = angleBetween(row_.attitude, state.attitude);
   }
 

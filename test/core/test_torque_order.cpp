@@ -7,6 +7,7 @@
 
 #include "comparisons.h"
 #include "draws.h"
+#include "poinsot/core/method.h"
 #include "torqued_bodies.h"
 
 namespace poinsot {
@@ -32,7 +33,7 @@ TEST(TorqueOrder, theTruthIsTheSameByAnotherOrderAndStep) {
 
 // From the error at t by steps and by their halves.
 TEST(TorqueOrder, ofMethodsUpToFourIsTheOneInTheTable) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (method.order > 4) continue;
     std::printf("%-8s", method.name);
     for (const NamedEffects& one : eachEffect()) {
@@ -69,22 +70,21 @@ TEST(TorqueOrder, ofTaylorsMethodsIsTheOneInTheirNames) {
       if (!std::holds_alternative<TorqueSchedule>(effect)) effects.push_back(effect);
     }
     const Torques torques = sumOf(inertia, effects);
-    const auto fine = findTorqueMethod("taylor24")->make(torques);
+    const auto fine = findMethod("taylor24")->make(torques);
     std::printf("%-24s", one.name);
-    for (const TorqueMethod& method : torqueMethods()) {
+    for (const Method& method : torquedMethods()) {
       if (method.order < 8) continue;
       const auto stepper = method.make(torques);
       Draws draws;
       std::vector<double> orders;
       for (int i = 0; i < 40; ++i) {
-        TorquedState start;
-        start.rotation = RotationState::fromOmega(inertia.moments(), draws.attitude(), draws.direction());
+        RotationState start = RotationState::fromOmega(inertia.moments(), draws.attitude(), draws.direction());
         if (torques.slug()) start.slug_omega = draws.vector();
         const auto error = [&](double h) -> double {
-          TorquedState a = start, b = start;
-          if (stepper->advance(a, 0, h).evaluations > method.order) return HUGE_VAL;  // cut: the order of its parts
-          for (int k = 0; k < 16; ++k) fine->advance(b, k * h / 16, h / 16);
-          return (a.rotation.momentum_body - b.rotation.momentum_body).norm();
+          RotationState a = start, b = start;
+          if (stepper->advanceFrom(a, 0, h).evaluations > method.order) return HUGE_VAL;  // cut: the order of its parts
+          for (int k = 0; k < 16; ++k) fine->advanceFrom(b, k * h / 16, h / 16);
+          return (a.momentum_body - b.momentum_body).norm();
         };
         double h = 4;
         while (error(h) > 3e-11) h *= 0.9;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/method.h"
 
 namespace poinsot::exhaustive {
 namespace {
@@ -76,7 +76,7 @@ std::vector<Way> waysToKeep(const MotionSetup& setup, double accuracy, double ho
                             double (*least_cost)(const std::string& method, double step, double rate), double most) {
   const std::vector<double> times = randomTimes(horizon, kTimes, 7);
   std::vector<Way> out;
-  for (const Method& method : methods()) {
+  for (const Method& method : freeMethods()) {
     MotionSetup candidate = setup;
     candidate.method = method.name;
     double step = std::max(1 / rate, 2 / setup.omega_body.norm());

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
 #include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/cpu_time.h"

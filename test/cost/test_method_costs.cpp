@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "poinsot/core/closed_form.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/resolve_accuracy.h"
-#include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/reader.h"
 
 using namespace poinsot;
@@ -19,15 +17,15 @@ namespace {
 
 TEST(NominalCosts, everyMethodHasOne) {
   const cost::MethodCosts& costs = cost::nominalCosts();
-  EXPECT_EQ(costs.all().size(), methods().size() + torqueMethods().size() + 1);
+  EXPECT_EQ(costs.all().size(), freeMethods().size() + torquedMethods().size() + 1);
   EXPECT_EQ(costs.of(kClosedForm).per_step, 0);
-  for (const Method& method : methods()) {
+  for (const Method& method : freeMethods()) {
     EXPECT_GT(costs.of(method.name).per_step, 0) << method.name;
     EXPECT_GT(costs.of(method.name).per_state, 0) << method.name;
   }
-  for (const TorqueMethod& method : torqueMethods()) {
-    EXPECT_GT(costs.of(cost::torqueCostName(method.name)).per_step, 0) << method.name;
-    EXPECT_GT(costs.of(cost::torqueCostName(method.name)).per_state, 0) << method.name;
+  for (const Method& method : torquedMethods()) {
+    EXPECT_GT(costs.of(cost::costName(method.name, true)).per_step, 0) << method.name;
+    EXPECT_GT(costs.of(cost::costName(method.name, true)).per_state, 0) << method.name;
   }
 }
 

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "exhaustive.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/rotation.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
 #include "poinsot/cost/resolve_accuracy.h"
-#include "poinsot/cost/torque_choice.h"
 #include "poinsot/scene/reader.h"
 
 using namespace poinsot;
@@ -40,7 +40,7 @@ const std::vector<std::vector<Effect>>& kinds() {
 
 std::vector<std::string> candidates(const MotionSetup& setup) {
   std::vector<std::string> names;
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     if (objectionTo(method, sumOf(setup.inertia, setup.effects)).empty()) names.push_back(method.name);
   }
   return names;
@@ -51,7 +51,7 @@ cost::Choice choose(const MotionSetup& setup, double accuracy, double horizon = 
 }
 
 double costOf(const std::string& method, double step) {
-  return cost::nominalCosts().perSimulatedSecond(cost::torqueCostName(method), step, kRate);
+  return cost::nominalCosts().perSimulatedSecond(cost::costName(method, true), step, kRate);
 }
 
 /** Against taylor24 at a step that is short for it, at times that are no ticks; infinite where there is no state. */

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/core/method.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/scene/motion_setup.h"
@@ -90,7 +91,7 @@ void countSteps(const scene::Body& body, std::int64_t steps) {
 
   const std::unique_ptr<Stepper> stepper = findMethod(body.method)->make(w.moments);
   RotationState state = w.start;
-  count(w.name + "/stepper", [&] { stepper->advance(state, w.step, steps); });
+  count(w.name + "/stepper", [&] { stepper->advance(state, 0, w.step, steps); });
   expectSame(w.name, state.attitude, expected);
   if (body.method == "rk4") {
     count(w.name + "/by_hand", [&] { state = rk4ByHand(w); });
@@ -99,11 +100,11 @@ void countSteps(const scene::Body& body, std::int64_t steps) {
 
   // What must be noticed.
   RotationState more = w.start;
-  count(w.name + "/stepper_and_2_percent", [&] { stepper->advance(more, w.step, steps + steps / 50); });
+  count(w.name + "/stepper_and_2_percent", [&] { stepper->advance(more, 0, w.step, steps + steps / 50); });
   const Torques nothing(body.inertia);
   RotationState watched = w.start;
   count(w.name + "/stepper_and_absent_torque", [&] {
-    stepper->advance(watched, w.step, steps);
+    stepper->advance(watched, 0, w.step, steps);
     for (std::int64_t n = 0; n < steps; ++n) {
       sink = nothing
                  .at(static_cast<double>(n) * w.step, nothing.constant(0), watched.attitude,

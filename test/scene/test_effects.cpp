@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
 #include "scene_text.h"
 
 using namespace poinsot;
@@ -305,8 +304,8 @@ TEST(EffectMethods, TheClosedFormSaysWhyNot) {
 }
 
 TEST(EffectMethods, ThoseForFreeBodiesAreRefused) {
-  for (const Method& method : methods()) {
-    if (findTorqueMethod(method.name)) continue;
+  for (const Method& method : freeMethods()) {
+    if (method.make_torqued) continue;
     expectMethodRefused(
         {"method: " + std::string(method.name), "step: 0.001", kTop}, 3, ".method",
         {std::string(method.name) + " is a method for free bodies and takes no gravity_torque", "allowed: taylor8, "});
@@ -314,8 +313,8 @@ TEST(EffectMethods, ThoseForFreeBodiesAreRefused) {
 }
 
 TEST(EffectMethods, ThoseForTorquesAreRefusedWithoutThem) {
-  for (const TorqueMethod& method : torqueMethods()) {
-    if (findMethod(method.name)) continue;
+  for (const Method& method : torquedMethods()) {
+    if (method.make_free) continue;
     expectMethodRefused(
         {"method: " + std::string(method.name), "step: 0.001"}, 3, ".method",
         {std::string(method.name) + " is a method for bodies with effects, and nothing acts on this one",
@@ -326,7 +325,7 @@ TEST(EffectMethods, ThoseForTorquesAreRefusedWithoutThem) {
 }
 
 TEST(EffectMethods, EveryOneOfTheTableIsAllowed) {
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     const auto top = readBody({"method: " + std::string(method.name), "step: 0.0078125", kTop});
     EXPECT_EQ(top.method, method.name);
     EXPECT_EQ(top.step.value(), 0.0078125);
@@ -375,7 +374,7 @@ TEST(EffectMethods, WithoutMethodAndAccuracyTheChoiceIsAsGoodAsCanBe) {
     EXPECT_EQ(body.accuracy->error, 1e-9);
     EXPECT_EQ(body.accuracy->horizon, 60);
     EXPECT_FALSE(body.step);
-    for (const std::string& name : body.accuracy->candidates) EXPECT_NE(findTorqueMethod(name), nullptr) << name;
+    for (const std::string& name : body.accuracy->candidates) EXPECT_NE(findMethod(name), nullptr) << name;
     const auto& names = body.accuracy->candidates;
     EXPECT_EQ(std::count(names.begin(), names.end(), "aba84"), effects == kTop ? 1 : 0);
   }

@@ -1,4 +1,4 @@
-#include "poinsot/core/stepper.h"
+#include "poinsot/core/method.h"
 #include "scene_text.h"
 
 using scene_text::body;
@@ -10,7 +10,7 @@ using scene_text::readBody;
 namespace {
 
 std::string allNames() {
-  return "closed_form, " + poinsot::methodNames() + ", stepper";
+  return "closed_form, " + poinsot::methodNames(poinsot::freeMethods()) + ", stepper";
 }
 
 /** expectRefused for the step of a body of these lines, the last of them `step`. */
@@ -29,7 +29,7 @@ TEST(Method, TheClosedFormIsTheDefault) {
 }
 
 TEST(Method, EveryOneOfTheTableIsAllowed) {
-  for (const poinsot::Method& method : poinsot::methods()) {
+  for (const poinsot::Method& method : poinsot::freeMethods()) {
     const auto brick = readBody({"method: " + std::string(method.name), "step: 0.0078125"});
     EXPECT_EQ(brick.method, method.name);
     EXPECT_EQ(brick.step.value(), 0.0078125);
@@ -51,7 +51,8 @@ TEST(Method, AStepperNeedsAStep) {
 }
 
 TEST(Method, TheClosedFormTakesNoStep) {
-  const std::string allowed = "allowed: no step, or one beside a method that steps: " + poinsot::methodNames();
+  const std::string allowed =
+      "allowed: no step, or one beside a method that steps: " + poinsot::methodNames(poinsot::freeMethods());
   expectStepRefused({"step: 1e-3"}, {"no method is named", "the default, closed_form, takes no step", allowed});
   expectStepRefused({"method: closed_form", "step: 1e-3"}, {"closed_form takes no step", allowed});
 }
@@ -67,7 +68,7 @@ TEST(Method, TheStepIsPositive) {
 
 TEST(Method, AStepAtWhichItDoesNotFollowTheBodyIsRefused) {
   // 10 rad a step.
-  for (const poinsot::Method& method : poinsot::methods()) {
+  for (const poinsot::Method& method : poinsot::freeMethods()) {
     SCOPED_TRACE(method.name);
     const std::string name = method.name;
     expectStepRefused({"angular_velocity: [60, 80, 0]", "method: " + name, "step: 0.1"},
@@ -91,7 +92,7 @@ TEST(Method, AStepThatIsDoubtfulMakesAWarning) {
 }
 
 TEST(Method, TheSuggestedStepIsGood) {
-  for (const poinsot::Method& method : poinsot::methods()) {
+  for (const poinsot::Method& method : poinsot::freeMethods()) {
     const std::string name = method.name;
     try {
       read(body({"angular_velocity: [60, 80, 0]", "method: " + name, "step: 0.1"}));
@@ -128,7 +129,7 @@ TEST(Accuracy, IsReadWithItsHorizon) {
 
 TEST(Accuracy, ChoosesAmongTheMethodsThatTheSceneLeavesOpen) {
   std::vector<std::string> steppers;
-  for (const poinsot::Method& method : poinsot::methods()) steppers.push_back(method.name);
+  for (const poinsot::Method& method : poinsot::freeMethods()) steppers.push_back(method.name);
   std::vector<std::string> all = steppers;
   all.insert(all.begin(), "closed_form");
   EXPECT_EQ(candidates({"accuracy: 1e-6", "horizon: 600"}), all);

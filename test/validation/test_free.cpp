@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cases.h"
+#include "poinsot/core/method.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "cases.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 
@@ -33,7 +33,7 @@ TEST_P(UnderTorque, isWhatOtherMethodsCompute) {
     MotionSetup other = one.setup;
     other.method = method;
     other.step = part * *one.setup.step;
-    if (!objectionTo(*findTorqueMethod(method), sumOf(other.inertia, other.effects)).empty()) continue;
+    if (!objectionTo(*findMethod(method), sumOf(other.inertia, other.effects)).empty()) continue;
     SCOPED_TRACE(method);
     EXPECT_TRUE(agrees(one, one.measure(other)));
   }

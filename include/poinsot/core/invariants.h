@@ -18,7 +18,7 @@ struct Invariants {
  * @param moments principal moments [kg·m²] of the axes that the state refers to.
  * @param state attitude and Λ in principal axes.
  */
-Invariants invariantsOf(const Eigen::Vector3d& moments, const RotationState& state);
+Invariants invariantsOf(const Eigen::Vector3d& moments, const FreeRotationState& state);
 
 /** (E − E_ref)/E_ref; 0 when both vanish, infinite when only E_ref does. */
 double energyDrift(const Invariants& now, const Invariants& reference);

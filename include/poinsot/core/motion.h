@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
 #include "poinsot/core/stepper_trajectory.h"
+#include "poinsot/core/torques.h"
 
 namespace poinsot {
 
@@ -39,7 +41,7 @@ struct MotionSetup {
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   Quaternion attitude = Quaternion::Identity();          ///< at t = 0, body → world; normalised on use
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  ///< at t = 0 [rad/s], body axes
-  std::string method = kClosedForm;                      ///< kClosedForm, or a name of methods() or torqueMethods()
+  std::string method = kClosedForm;                      ///< kClosedForm, or a name of methods()
   std::optional<double> step;                            ///< [s]; a stepper needs one, the closed form has none
   std::optional<Translation> translation;                ///< not computed where absent
   std::vector<Effect> effects;                           ///< what turns it; a free body has none
@@ -82,10 +84,10 @@ class Motion {
   bool prepare(double t, const std::atomic<bool>& cancel);
 
   /** True when no stepper moves the body. */
-  bool inClosedForm() const { return !grid_ && !torqued_; }
+  bool inClosedForm() const { return !grid_; }
 
   /** What turns the body; nullptr for a free one. */
-  const Torques* torques() const { return torqued_ ? &torqued_->forwards.flow().stepper->torques() : nullptr; }
+  const Torques* torques() const { return torques_ ? &*torques_ : nullptr; }
 
   /** What all whole steps so far took; nothing in closed form. */
   Work work() const;
@@ -111,30 +113,28 @@ class Motion {
     double remainder;  ///< seconds beyond them, with t's sign
   };
   /** What a stepper needs. */
-  template <class Flow>
   struct Grid {
     double step;
-    GridTrajectory<Flow> forwards, backwards;
+    StepperTrajectory forwards, backwards;
 
-    Grid(const Flow& flow, const typename Flow::State& start, double grid_step)
-        : step(grid_step), forwards(flow, start, grid_step), backwards(flow, start, -grid_step) {}
+    Grid(const std::shared_ptr<const Stepper>& stepper, const RotationState& start, double grid_step)
+        : step(grid_step), forwards(stepper, start, grid_step), backwards(stepper, start, -grid_step) {}
     Place locate(double t) const;
     double stepsTo(double t) const;
     bool prepare(double t, const std::atomic<bool>& cancel) { return towards(t).moveTo(locate(t).n, cancel); }
-    typename Flow::State at(double t);
-    GridTrajectory<Flow>& towards(double t) { return t < 0 ? backwards : forwards; }
-    const GridTrajectory<Flow>& towards(double t) const { return t < 0 ? backwards : forwards; }
+    RotationState at(double t);
+    StepperTrajectory& towards(double t) { return t < 0 ? backwards : forwards; }
+    const StepperTrajectory& towards(double t) const { return t < 0 ? backwards : forwards; }
   };
 
-  MotionState describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const;
-  void describeTorques(const TorquedState& principal, MotionState& out) const;
+  MotionState describe(double t, const FreeRotationState& principal, const Eigen::Vector3d& omega) const;
+  void describeTorques(const RotationState& principal, MotionState& out) const;
 
   MotionSetup setup_;
   bool principal_axes_are_body_axes_;
-  // One of the three moves the body. The closed form is also what a free body's stepper is compared with.
-  std::optional<ClosedForm> exact_;           ///< of a free body; principal axes
-  std::optional<Grid<FreeFlow>> grid_;        ///< of a free body's stepper
-  std::optional<Grid<TorquedFlow>> torqued_;  ///< of a body with effects
+  std::optional<Torques> torques_;   ///< of a body with effects
+  std::optional<ClosedForm> exact_;  ///< of a free body, in principal axes; also what its stepper is compared with
+  std::optional<Grid> grid_;         ///< what moves a body that is not moved in closed form
 };
 
 }  // namespace poinsot

@@ -5,12 +5,12 @@
 namespace poinsot {
 
 /**
- * What a method moves: attitude and angular momentum, both referred to the principal axes of the body.
+ * What a method moves of a free body: attitude and angular momentum, both referred to its principal axes.
  *
  * Λ rather than Ω because every Lie-group method rotates Λ, which keeps |L| to roundoff; Λ in body rather than L in
  * world axes because there an attitude error would be amplified by the ratio of the moments.
  */
-struct RotationState {
+struct FreeRotationState {
   Quaternion attitude = Quaternion::Identity();             ///< R: principal axes → world, unit
   Eigen::Vector3d momentum_body = Eigen::Vector3d::Zero();  ///< Λ = MΩ [kg·m²/s], principal axes
 
@@ -27,15 +27,6 @@ struct RotationState {
   /** 2E/|L|² − 1/μᵢ at the start, for methods that keep E, in the same units; of use where the line above is not 0. */
   Eigen::Vector3d kept_energy_gaps = Eigen::Vector3d::Zero();
 
-  /**
-   * The state at the start of a motion, whose L is the one to keep.
-   * @param moments principal moments [kg·m²].
-   * @param attitude R: principal axes → world, unit.
-   * @param omega_body Ω [rad/s], principal axes.
-   */
-  static RotationState fromOmega(const Eigen::Vector3d& moments, const Quaternion& attitude,
-                                 const Eigen::Vector3d& omega_body);
-
   /** L = RΛ as it is now becomes the one to keep. */
   void keepMomentum();
   /** Whoever changes L (an impulse) says so by this, with the L that there was to keep and the change of it. */
@@ -45,6 +36,22 @@ struct RotationState {
   Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }
   /** L = RΛ [kg·m²/s], world axes. */
   Eigen::Vector3d momentumWorld() const;
+};
+
+/** What a method moves of any body. Apart from the above so that the steps of a free body copy no more than they need.
+ */
+struct RotationState : FreeRotationState {
+  Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();  ///< σ of a slug inside [rad/s], principal axes
+  Eigen::Vector3d slug_rest = Eigen::Vector3d::Zero();   ///< what compensated summation has left over of σ [rad/s]
+
+  /**
+   * The state at the start of a motion, whose L is the one to keep.
+   * @param moments principal moments [kg·m²].
+   * @param attitude R: principal axes → world, unit.
+   * @param omega_body Ω [rad/s], principal axes.
+   */
+  static RotationState fromOmega(const Eigen::Vector3d& moments, const Quaternion& attitude,
+                                 const Eigen::Vector3d& omega_body);
 };
 
 }  // namespace poinsot

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "poinsot/core/eigen_types.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
+#include "poinsot/core/torques.h"
 
 /** What a method cannot do: doc/hard_cases.md shows it measured. */
 namespace poinsot {
@@ -48,7 +48,7 @@ struct StepJudgement {
  *
  * Costs milliseconds; nothing for steps that are clearly small. Never throws.
  *
- * @param method a row of methods().
+ * @param method that moves free bodies.
  * @param moments principal moments [kg·m²], valid.
  * @param omega_body at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
@@ -61,13 +61,13 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
  * hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the state is lost; doubtful by more than
  * 0.1 rad. Methods of that family need no judgement. Never throws.
  *
- * @param method a row of torqueMethods() that takes these torques.
+ * @param method that takes these torques.
  * @param torques that act on the body; its moments are theirs.
  * @param attitude R at the start, principal axes → world, unit.
  * @param omega_body at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
  */
-StepJudgement judgeTorqueStep(const TorqueMethod& method, const Torques& torques, const Quaternion& attitude,
-                              const Eigen::Vector3d& omega_body, double step);
+StepJudgement judgeStep(const Method& method, const Torques& torques, const Quaternion& attitude,
+                        const Eigen::Vector3d& omega_body, double step);
 
 }  // namespace poinsot

@@ -1,49 +1,31 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "poinsot/core/rotation_state.h"
 #include "poinsot/core/work.h"
 
 namespace poinsot {
 
-/** A one-step method for the free rigid body, bound to one body. */
+/** A one-step method, bound to one body and to what acts on it. */
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
   /**
-   * Takes `count` steps. Allocates nothing; the one virtual call is a batch's, not a step's. Throws NoConvergence where
-   * an implicit method finds no step; `state` is then as it was.
+   * Takes `count` steps of one length, from t = first·step on. Allocates nothing; the one virtual call is a batch's,
+   * not a step's. Throws NoConvergence where an implicit method finds no step; `state` is then as it was. Under torques
+   * the state is not finite afterwards where it left the range of doubles.
    * @param state in principal axes.
+   * @param first index of the first step; the steps of a free body do not depend on it.
    * @param step [s], of either sign.
    * @param count ≥ 0.
    * @return the evaluations that it took.
    */
-  virtual Work advance(RotationState& state, double step, std::int64_t count) const = 0;
+  virtual Work advance(RotationState& state, std::int64_t first, double step, std::int64_t count) const = 0;
+
+  /** One step of `length` [s], of either sign, from any `time` [s]; otherwise like advance(). */
+  virtual Work advanceFrom(RotationState& state, double time, double length) const = 0;
 };
-
-/** One row of the table of methods. */
-struct Method {
-  const char* name;         ///< by which scenes and programs ask for it
-  int order;                ///< the global error of a motion falls with h to this power
-  bool conserves_momentum;  ///< L in world axes, to roundoff
-  bool conserves_energy;    ///< E, to roundoff
-  /** Binds it to a body. @param moments principal moments [kg·m²], valid. */
-  std::unique_ptr<Stepper> (*make)(const Eigen::Vector3d& moments);
-};
-
-/** All methods that this version has, in the order in which they are listed to users. */
-const std::vector<Method>& methods();
-
-/** The method of that name, or nullptr. */
-const Method* findMethod(const std::string& name);
-
-/** "lie_euler, buss2, …" for messages. */
-std::string methodNames();
 
 }  // namespace poinsot

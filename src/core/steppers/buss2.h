@@ -24,7 +24,7 @@ class Buss2 {
         twelfths_(Eigen::Vector3d(moments[1] - moments[2], moments[2] - moments[0], moments[0] - moments[1])
                       .cwiseQuotient(12 * moments)) {}
 
-  void step(RotationState& state, double h) const {
+  void step(FreeRotationState& state, double h) const {
     const Eigen::Vector3d& p = state.momentum_body;
     const double t0 = (h * inverse_[0]) * p[0], t1 = (h * inverse_[1]) * p[1], t2 = (h * inverse_[2]) * p[2];
     const double r0 = twelfths_[0], r1 = twelfths_[1], r2 = twelfths_[2];

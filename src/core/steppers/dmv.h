@@ -32,7 +32,7 @@ class Dmv {
 
   explicit Dmv(const Eigen::Vector3d& moments) : moments_(moments) {}
 
-  Plan plan(const RotationState& state, double h) const {
+  Plan plan(const FreeRotationState& state, double h) const {
     const double size = state.kept_momentum.norm();
     const double half_angular = 0.5 * h * size;
     return {modifiedInverses<order / 2>(moments_, state.kept_inverse_inertia, half_angular), size > 0 ? 1 / size : 0};
@@ -42,7 +42,7 @@ class Dmv {
   static constexpr Work work(int iterations) { return {iterations + 2, 1}; }
 
   /** @return iterations. */
-  int step(RotationState& state, const Plan& plan) const {
+  int step(FreeRotationState& state, const Plan& plan) const {
     const double* const p = state.momentum_body.data();
     const double n0 = plan.inverse_momentum * p[0], n1 = plan.inverse_momentum * p[1],
                  n2 = plan.inverse_momentum * p[2];
@@ -85,7 +85,7 @@ class Dmv {
   static constexpr int kMostIterations = 20;
   static constexpr double kSmallChange = 1e-16;  // the square of a change of g, |g| being about 1
 
-  static void turn(RotationState& state, double e0, double e1, double e2) {
+  static void turn(FreeRotationState& state, double e0, double e1, double e2) {
     const double cosine = 1 / std::sqrt(1 + (e0 * e0 + e1 * e1 + e2 * e2));
     rotate(state, {2 * e0, 2 * e1, 2 * e2}, {cosine, cosine});
   }

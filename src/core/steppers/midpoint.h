@@ -24,7 +24,7 @@ class Midpoint {
   static constexpr Work work(int iterations) { return {iterations, iterations + 1}; }
 
   /** @return iterations. */
-  int step(RotationState& state, double h) const {
+  int step(FreeRotationState& state, double h) const {
     const Eigen::Vector3d& p = state.momentum_body;
     const Eigen::Vector3d p0(p[0], p[1], p[2]), scale = h * inverse_;
     Eigen::Vector3d theta = scale.cwiseProduct(p0);

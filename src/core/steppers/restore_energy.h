@@ -31,14 +31,14 @@ class EnergyKeeper {
   }
 
   /** 2E/|L|² − 1/μᵢ for i = 0, 1, 2. */
-  Eigen::Vector3d gaps(const RotationState& state) const {
+  Eigen::Vector3d gaps(const FreeRotationState& state) const {
     Eigen::Vector3d out;
     for (int i = 0; i < 3; ++i) out[i] = gap(state, i).value;
     return out;
   }
 
   /** To the state's kept_energy_gaps. */
-  void restore(RotationState& state) const {
+  void restore(FreeRotationState& state) const {
     Gap least = gap(state, 0);
     int axis = 0;
     for (int i = 1; i < 3; ++i) {
@@ -54,7 +54,7 @@ class EnergyKeeper {
     double size;  ///< the sum of the magnitudes: rounding is relative to it
   };
 
-  Gap gap(const RotationState& state, int i) const {
+  Gap gap(const FreeRotationState& state, int i) const {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const double* const p = state.momentum_body.data();
     const double a = p[j] * p[j] * state.kept_inverse_square * difference_[i][j];
@@ -62,7 +62,7 @@ class EnergyKeeper {
     return {a + b, std::abs(a) + std::abs(b)};
   }
 
-  void restoreAt(RotationState& state, int i, double value) const {
+  void restoreAt(FreeRotationState& state, int i, double value) const {
     double* const p = state.momentum_body.data();
     double* const rest = state.momentum_rest.data();
     double d[3], slope = 0;

@@ -21,7 +21,7 @@ constexpr double kMostRestored = 4e-15;
  * 5e-17. With this, L stays where it was to 3e-15 after any number of steps. It moves L by no more than rounding does,
  * which is too little to hide a method that does not keep L.
  */
-inline void restoreMomentum(RotationState& state) {
+inline void restoreMomentum(FreeRotationState& state) {
   double* const q = state.attitude.coeffs().data();  // x, y, z, w
   double* const p = state.momentum_body.data();
   double* const rest = state.momentum_rest.data();

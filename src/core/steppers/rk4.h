@@ -26,7 +26,7 @@ class Rk4 {
       : moments_(moments),
         differences_(moments.y() - moments.z(), moments.z() - moments.x(), moments.x() - moments.y()) {}
 
-  void step(RotationState& state, double h) const {
+  void step(FreeRotationState& state, double h) const {
     Eigen::Vector4d q = state.attitude.coeffs();
     const Eigen::Vector3d p = state.momentum_body;
     Eigen::Vector4d dq1, dq2, dq3, dq4;

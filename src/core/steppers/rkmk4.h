@@ -17,7 +17,7 @@ class Rkmk4 {
 
   explicit Rkmk4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
-  void step(RotationState& state, double h) const {
+  void step(FreeRotationState& state, double h) const {
     const Eigen::Vector3d& p = state.momentum_body;
     const Eigen::Vector3d p0(p[0], p[1], p[2]), scale = h * inverse_;
     const Eigen::Vector3d k1 = scale.cwiseProduct(p0);

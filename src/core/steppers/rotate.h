@@ -15,7 +15,7 @@ namespace poinsot::steppers {
  *
  * @param turn exp(θ), for those who know it without a sine.
  */
-inline void rotate(RotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
+inline void rotate(FreeRotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
   const double v0 = theta[0], v1 = theta[1], v2 = theta[2];
   double* const p = state.momentum_body.data();
   double* const rest = state.momentum_rest.data();
@@ -42,7 +42,7 @@ inline void rotate(RotationState& state, const Eigen::Vector3d& theta, const Hal
   q[3] = unit * nw;
 }
 
-inline void rotate(RotationState& state, const Eigen::Vector3d& theta) {
+inline void rotate(FreeRotationState& state, const Eigen::Vector3d& theta) {
   rotate(state, theta, halfTurn(theta));
 }
 

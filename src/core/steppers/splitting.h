@@ -67,12 +67,12 @@ class Splitting {
     rate_ = 1 / b;
   }
 
-  Plan plan(const RotationState& state, double h) const {
+  Plan plan(const FreeRotationState& state, double h) const {
     const double rate = h * rate_, angle = rate * state.kept_momentum.norm();
     return {0.5 * (h * rate_a_), 0.5 * (h * rate_c_), halfTurn({angle, 0, 0}), rate};
   }
 
-  void step(RotationState& state, const Plan& plan) const {
+  void step(FreeRotationState& state, const Plan& plan) const {
     // One turn about L, as seen from the body along Λ, which it does not move.
     const double* const p = state.momentum_body.data();
     const Eigen::Vector3d theta(plan.rate * p[0], plan.rate * p[1], plan.rate * p[2]);
@@ -92,14 +92,14 @@ class Splitting {
   }
 
  private:
-  static void turnAttitude(RotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
+  static void turnAttitude(FreeRotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
     const double half = 0.5 * turn.s;
     const Eigen::Quaterniond by(turn.c, half * theta[0], half * theta[1], half * theta[2]);
     state.attitude = state.attitude * by;
   }
 
   /** The body turns about axis i by 2·rate·Λᵢ. */
-  static void turn(RotationState& state, int i, double rate) {
+  static void turn(FreeRotationState& state, int i, double rate) {
     static constexpr int kNext[] = {1, 2, 0};
     const int j = kNext[i], k = kNext[j];
     double* const p = state.momentum_body.data();

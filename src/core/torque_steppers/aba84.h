@@ -2,8 +2,8 @@
 
 #include "compensated_sum.h"
 #include "kept_momentum.h"
-#include "poinsot/core/stepper.h"
-#include "poinsot/core/torque_stepper.h"
+#include "poinsot/core/method.h"
+#include "torque_steppers/torque_stepper.h"
 
 namespace poinsot::torque_steppers {
 
@@ -21,13 +21,13 @@ class Aba84 final : public TorqueStepper {
   explicit Aba84(const Torques& given) : TorqueStepper(given), free_(findMethod("dmv8")->make(given.moments())) {}
 
  protected:
-  Work step(TorquedState& state, double t, double h, const Torques::Constant& constant) const override {
-    RotationState rotation = state.rotation;  // dmv8 may throw
+  Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const override {
+    RotationState rotation = state;  // dmv8 may throw
     Work work;
     double elapsed = 0;
     for (int i = 0; i < kKicks; ++i) {
       const double turn = kA[i < 3 ? i : 5 - i], kick = kB[i < 3 ? i : 4 - i];
-      work += free_->advance(rotation, turn * h, 1);
+      work += free_->advanceFrom(rotation, 0, turn * h);
       elapsed += turn * h;
       const Eigen::Vector3d torque =
           torques().at(t + elapsed, constant, rotation.attitude, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
@@ -35,8 +35,8 @@ class Aba84 final : public TorqueStepper {
       addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest, impulse);
       inlined::keepMomentum(rotation, rotation.kept_momentum + rotation.attitude * impulse);
     }
-    work += free_->advance(rotation, kA[0] * h, 1);
-    state.rotation = rotation;
+    work += free_->advanceFrom(rotation, 0, kA[0] * h);
+    state = rotation;
     work.torques = kKicks;
     return work;
   }

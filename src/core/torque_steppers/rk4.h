@@ -1,8 +1,8 @@
 #pragma once
 
 #include "compensated_sum.h"
-#include "poinsot/core/torque_stepper.h"
 #include "steppers/move_attitude.h"
+#include "torque_steppers/torque_stepper.h"
 
 namespace poinsot::torque_steppers {
 
@@ -13,18 +13,18 @@ class Rk4 final : public TorqueStepper {
   using TorqueStepper::TorqueStepper;
 
  protected:
-  Work step(TorquedState& state, double t, double h, const Torques::Constant& constant) const override {
-    const Point start{state.rotation.attitude.coeffs(), state.rotation.momentum_body, state.slug_omega};
+  Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const override {
+    const Point start{state.attitude.coeffs(), state.momentum_body, state.slug_omega};
     const Point k1 = derivative(start, t, constant);
     const Point k2 = derivative(start.moved(0.5 * h, k1), t + 0.5 * h, constant);
     const Point k3 = derivative(start.moved(0.5 * h, k2), t + 0.5 * h, constant);
     const Point k4 = derivative(start.moved(h, k3), t + h, constant);
     const double sixth = h / 6.0;
     Eigen::Vector4d q = start.attitude;
-    steppers::moveAttitude(q, state.rotation.attitude_rest,
+    steppers::moveAttitude(q, state.attitude_rest,
                            sixth * (k1.attitude + 2.0 * (k2.attitude + k3.attitude) + k4.attitude));
-    state.rotation.attitude.coeffs() = q;
-    addCompensated<Eigen::Vector3d>(state.rotation.momentum_body, state.rotation.momentum_rest,
+    state.attitude.coeffs() = q;
+    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest,
                                     sixth * (k1.momentum + 2.0 * (k2.momentum + k3.momentum) + k4.momentum));
     if (torques().slug()) {
       addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest,

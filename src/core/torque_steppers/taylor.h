@@ -2,8 +2,8 @@
 
 #include "../taylor/kernel.h"
 #include "compensated_sum.h"
-#include "poinsot/core/torque_stepper.h"
 #include "steppers/move_attitude.h"
+#include "torque_steppers/torque_stepper.h"
 
 namespace poinsot::torque_steppers {
 
@@ -36,7 +36,7 @@ class Taylor final : public TorqueStepper {
   }
 
  protected:
-  Work step(TorquedState& state, double t, double h, const Torques::Constant& constant) const override {
+  Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const override {
     Work work;
     stepOrHalves(state, t, h, constant, kMostHalvings, work);
     return work;
@@ -49,7 +49,7 @@ class Taylor final : public TorqueStepper {
 
   void setMap(const Eigen::Matrix3d& map) { Eigen::Matrix3d::Map(body_.maps[body_.fields++]) = map; }
 
-  void stepOrHalves(TorquedState& state, double t, double h, const Torques::Constant& constant, int halvings,
+  void stepOrHalves(RotationState& state, double t, double h, const Torques::Constant& constant, int halvings,
                     Work& work) const {
     taylor::Increment increment;
     work += Work{order, 0, order};
@@ -59,21 +59,21 @@ class Taylor final : public TorqueStepper {
     if (is_small) return add(increment, state);
     if (halvings > 0) {
       stepOrHalves(state, t, 0.5 * h, constant, halvings - 1, work);
-      if (state.rotation.momentum_body.allFinite()) {
+      if (state.momentum_body.allFinite()) {
         stepOrHalves(state, t + 0.5 * h, 0.5 * h, constant, halvings - 1, work);
       }
       return;
     }
     // It moves faster than any step can follow, or is not finite: whoever looks at it is told so.
-    state.rotation.momentum_body.setConstant(std::numeric_limits<double>::quiet_NaN());
+    state.momentum_body.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  taylor::Start start(const TorquedState& state, double t, const Torques::Constant& constant) const {
+  taylor::Start start(const RotationState& state, double t, const Torques::Constant& constant) const {
     taylor::Start out;
-    const Eigen::Quaterniond back = state.rotation.attitude.conjugate();
+    const Eigen::Quaterniond back = state.attitude.conjugate();
     const auto set = [](double* to, const Eigen::Vector3d& v) { Eigen::Vector3d::Map(to) = v; };
-    Eigen::Vector4d::Map(out.attitude) = state.rotation.attitude.coeffs();
-    set(out.omega, state.rotation.omegaBody(torques().moments()));
+    Eigen::Vector4d::Map(out.attitude) = state.attitude.coeffs();
+    set(out.omega, state.omegaBody(torques().moments()));
     set(out.torque, constant.body);
     int i = 0;
     if (torques().hasWorldConstant()) set(out.fields[i++], back * constant.world);
@@ -86,14 +86,12 @@ class Taylor final : public TorqueStepper {
     return out;
   }
 
-  void add(const taylor::Increment& increment, TorquedState& state) const {
-    RotationState& rotation = state.rotation;
-    Eigen::Vector4d q = rotation.attitude.coeffs();
-    steppers::moveAttitude(q, rotation.attitude_rest, Eigen::Map<const Eigen::Vector4d>(increment.attitude));
-    rotation.attitude.coeffs() = q;
+  void add(const taylor::Increment& increment, RotationState& state) const {
+    Eigen::Vector4d q = state.attitude.coeffs();
+    steppers::moveAttitude(q, state.attitude_rest, Eigen::Map<const Eigen::Vector4d>(increment.attitude));
+    state.attitude.coeffs() = q;
     const Eigen::Map<const Eigen::Vector3d> omega(increment.omega), slug(increment.slug_omega);
-    addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest,
-                                    torques().moments().cwiseProduct(omega));
+    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest, torques().moments().cwiseProduct(omega));
     if (body_.slug) addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest, slug);
   }
 

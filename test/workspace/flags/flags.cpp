@@ -18,14 +18,13 @@
 #include "poinsot/core/effect.h"
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
+#include "poinsot/core/method.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/no_convergence.h"
 #include "poinsot/core/rotation.h"
 #include "poinsot/core/rotation_state.h"
 #include "poinsot/core/step_limits.h"
-#include "poinsot/core/stepper.h"
 #include "poinsot/core/stepper_trajectory.h"
-#include "poinsot/core/torque_stepper.h"
 #include "poinsot/core/torques.h"
 
 namespace {
@@ -111,7 +110,6 @@ struct Kept {
   char mark;
   std::optional<ClosedForm::State> exact;
   RotationState rotation;
-  TorquedState torqued;
   std::optional<Solid> solid;
 };
 
@@ -128,14 +126,12 @@ void printLayouts() {
   printLayout<MotionState>("MotionState");
   printLayout<Motion>("Motion");
   printLayout<RotationState>("RotationState");
-  printLayout<TorquedState>("TorquedState");
   printLayout<Torques>("Torques");
   printLayout<Torques::Field>("Torques::Field");
   printLayout<Torques::Gradient>("Torques::Gradient");
   printLayout<Effect>("Effect");
   printLayout<Translation>("Translation");
   printLayout<StepperTrajectory>("StepperTrajectory");
-  printLayout<TorquedTrajectory>("TorquedTrajectory");
   printLayout<StepJudgement>("StepJudgement");
   printLayout<Kept>("Kept");
 }
@@ -163,8 +159,8 @@ std::vector<MotionSetup> setups() {
   out.push_back(setupOf(kClosedForm, {}, diagonal));
   out.push_back(setupOf(kClosedForm, {}, tensor));
   out.back().translation = Translation{{1, 2, 3}, {0.1, 0.2, 0.3}, {0, 0, -9.80665}};
-  for (const Method& method : methods()) {
-    out.push_back(setupOf(method.name, 0.01, &method == &methods().front() ? tensor : diagonal));
+  for (const Method& method : freeMethods()) {
+    out.push_back(setupOf(method.name, 0.01, &method == &freeMethods().front() ? tensor : diagonal));
   }
   const std::vector<Effect> conservative = {GravityTorque{0.7, {0, 0, -9.80665}, {0.01, 0.02, 0.03}},
                                             ConstantTorque{Axes::world, {0.1, 0.2, 0.3}},
@@ -173,7 +169,7 @@ std::vector<MotionSetup> setups() {
   all.push_back(ViscousDamping{{0.01, 0.02, 0.03}});
   all.push_back(InternalDissipation{0.2, 0.1});
   all.push_back(TorqueSchedule{{{0.5, 1.25, Axes::body, {0.3, 0, 0.1}}}});
-  for (const TorqueMethod& method : torqueMethods()) {
+  for (const Method& method : torquedMethods()) {
     out.push_back(setupOf(method.name, 0.01, tensor));
     out.back().effects = method.takes_damping ? all : conservative;
   }
@@ -278,23 +274,23 @@ void printSteppers() {
   std::vector<RotationState> states(3,
                                     RotationState::fromOmega(moments, Eigen::Quaterniond(1, 0, 0, 0), {0.1, 2, 0.3}));
   const std::unique_ptr<Stepper> stepper = findMethod("dmv6")->make(moments);
-  for (RotationState& state : states) stepper->advance(state, 0.01, 100);
+  for (RotationState& state : states) stepper->advance(state, 0, 0.01, 100);
   for (const RotationState& state : states) print(state);
   print(invariantsOf(moments, states.back()));
   print("drift", momentumDrift(invariantsOf(moments, states.back()), invariantsOf(moments, states.front())));
 
-  std::vector<TorquedState> torqued(3);
+  std::vector<RotationState> torqued(3);
   const Torques torques = sumOf(PrincipalInertia::fromMoments(moments), {ConstantTorque{Axes::body, {1, 2, 3}}});
-  for (TorquedState& state : torqued) {
-    state.rotation = states.front();
-    findTorqueMethod("taylor12")->make(torques)->advance(state, 0, 0.1);
-    print(state.rotation);
+  for (RotationState& state : torqued) {
+    state = states.front();
+    findMethod("taylor12")->make(torques)->advanceFrom(state, 0, 0.1);
+    print(state);
   }
   StepperTrajectory trajectory({findMethod("rk4")->make(moments)}, states.front(), 0.01);
   print(trajectory.at(1000));
   print(trajectory.at(500));
   const StepJudgement judgement =
-      judgeTorqueStep(*findTorqueMethod("rk4"), torques, Eigen::Quaterniond(1, 0, 0, 0), {1, 2, 3}, 0.5);
+      judgeStep(*findMethod("rk4"), torques, Eigen::Quaterniond(1, 0, 0, 0), {1, 2, 3}, 0.5);
   std::printf("judgement %d %s\n", static_cast<int>(judgement.grade), judgement.reason.c_str());
   print("largest_sound", judgement.largest_sound);
 }

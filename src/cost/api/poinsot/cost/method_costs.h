@@ -12,6 +12,11 @@ struct MethodCost {
   double per_step;   ///< of one more whole step; 0 for the closed form
 };
 
+/** How a method is called in MethodCosts: those that also move free bodies have other costs under torques. */
+inline std::string costName(const std::string& method, bool torqued) {
+  return (torqued ? "torques/" : "") + method;
+}
+
 /** By name of method, "closed_form" among them. */
 class MethodCosts {
  public:

@@ -1,44 +1,37 @@
-#include "poinsot/core/stepper.h"
+#pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <type_traits>
 
 #include "kept_momentum.h"
 #include "poinsot/core/inertia.h"
-#include "steppers/buss2.h"
-#include "steppers/buss3.h"
-#include "steppers/buss4.h"
-#include "steppers/cf4.h"
-#include "steppers/dmv.h"
-#include "steppers/lie_euler.h"
-#include "steppers/midpoint.h"
+#include "poinsot/core/stepper.h"
 #include "steppers/restore_energy.h"
 #include "steppers/restore_momentum.h"
-#include "steppers/rk4.h"
-#include "steppers/rkmk4.h"
-#include "steppers/splitting.h"
 
-namespace poinsot {
-namespace {
+/** Makes Steppers for free bodies of the schemes in steppers/, each of which takes one step inline. */
+namespace poinsot::batch {
 
 constexpr double kSmall = 1e-100, kLarge = 1e100;  // between them products of two or three stay in range
 
 /** The power of two that brings a size near 1 where it is extreme; 0 where it is not, nor 0, infinite or NaN. */
-int excess(double size) {
+inline int excess(double size) {
   if ((size >= kSmall && size <= kLarge) || !(size > 0) || !std::isfinite(size)) return 0;
   return std::ilogb(size);
 }
 
 /** Λ and L by 2ᵏ, which is exact but for denormals. */
-void scale(RotationState& state, int k) {
+inline void scale(FreeRotationState& state, int k) {
   for (auto* vector : {&state.momentum_body, &state.momentum_rest, &state.kept_momentum}) {
     *vector = vector->unaryExpr([k](double value) { return std::ldexp(value, k); });
   }
 }
 
 /** L and E to be kept are those of the start, or what the caller has made of them since. */
-void findKept(RotationState& state, const Eigen::Vector3d& moments, const steppers::EnergyKeeper& energy) {
+inline void findKept(FreeRotationState& state, const Eigen::Vector3d& moments, const steppers::EnergyKeeper& energy) {
   const Eigen::Vector3d kept = state.kept_momentum;
   const double kept_inverse_inertia = state.kept_inverse_inertia;
   inlined::keepMomentum(state, inlined::momentumWorld(state));
@@ -60,7 +53,7 @@ void findKept(RotationState& state, const Eigen::Vector3d& moments, const steppe
  * would be denormal numbers, with which a step takes twice as long. About the unstable axis the least remainder grows
  * again, and stays.
  */
-void dropRemainders(RotationState& state, int unstable_axis) {
+inline void dropRemainders(FreeRotationState& state, int unstable_axis) {
   Eigen::Vector3d& p = state.momentum_body;
   const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
   const double most = std::max(x, std::max(y, z));
@@ -73,16 +66,18 @@ void dropRemainders(RotationState& state, int unstable_axis) {
 /** What a scheme can work out once for all the steps of a motion: a Plan, or the step itself where it has none. */
 template <class Scheme, class = void>
 struct Planned {
-  static double plan(const Scheme&, const RotationState&, double step) { return step; }
+  static double plan(const Scheme&, const FreeRotationState&, double step) { return step; }
 };
 template <class Scheme>
 struct Planned<Scheme, std::void_t<typename Scheme::Plan>> {
-  static auto plan(const Scheme& scheme, const RotationState& state, double step) { return scheme.plan(state, step); }
+  static auto plan(const Scheme& scheme, const FreeRotationState& state, double step) {
+    return scheme.plan(state, step);
+  }
 };
 
 /** Takes the steps; an implicit method says how many iterations each took. */
 template <class Scheme, class Plan>
-[[gnu::always_inline]] inline Work take(const Scheme& scheme, RotationState& state, const Plan& plan,
+[[gnu::always_inline]] inline Work take(const Scheme& scheme, FreeRotationState& state, const Plan& plan,
                                         std::int64_t count) {
   if constexpr (std::is_same_v<decltype(scheme.step(state, plan)), int>) {
     Work work;
@@ -109,22 +104,24 @@ class BatchStepper final : public Stepper {
         scheme_(moments_),
         energy_(moments_) {}
 
-  Work advance(RotationState& state, double step, std::int64_t count) const override {
+  Work advanceFrom(RotationState& state, double, double length) const override { return advance(state, 0, length, 1); }
+
+  Work advance(RotationState& state, std::int64_t, double step, std::int64_t count) const override {
     const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
     if (momentum_scale == 0 && moments_scale_ == 0) {
       return run(state, step, count);
     }
-    RotationState scaled = state;  // run() may throw
+    FreeRotationState scaled = state;  // run() may throw
     scale(scaled, -momentum_scale);
     const Work work = run(scaled, std::ldexp(step, momentum_scale - moments_scale_), count);
     scale(scaled, momentum_scale);
-    state = scaled;
+    static_cast<FreeRotationState&>(state) = scaled;
     return work;
   }
 
  private:
-  Work run(RotationState& state, double step, std::int64_t count) const {
-    RotationState s = state;
+  Work run(FreeRotationState& state, double step, std::int64_t count) const {
+    FreeRotationState s = state;
     if constexpr (steps_between_restorations == 0) {
       const Work work = take(scheme_, s, step, count);
       state = s;
@@ -172,42 +169,4 @@ std::unique_ptr<Stepper> makeKeepingEnergy(const Eigen::Vector3d& moments) {
   return std::make_unique<BatchStepper<Scheme, steppers::kStepsBetweenRestorations, true>>(moments);
 }
 
-}  // namespace
-
-const std::vector<Method>& methods() {
-  static const std::vector<Method> table = {
-      // name, order, conserves L, conserves E
-      {"lie_euler", 1, true, false, makeKeeping<steppers::LieEuler>},
-      {"buss2", 2, true, false, makeKeeping<steppers::Buss2>},
-      {"buss3", 3, true, false, makeKeeping<steppers::Buss3>},
-      {"buss4", 4, true, false, makeKeeping<steppers::Buss4>},
-      {"rk4", 4, false, false, make<steppers::Rk4>},
-      {"rkmk4", 4, true, false, makeKeeping<steppers::Rkmk4>},
-      {"cf4", 4, true, false, makeKeeping<steppers::Cf4, 4>},
-      {"midpoint", 2, true, false, makeKeeping<steppers::Midpoint>},
-      {"splitting2", 2, true, false, makeKeeping<steppers::Splitting2, 2>},
-      {"splitting4", 4, true, false, makeKeeping<steppers::Splitting4, 1>},
-      {"splitting6", 6, true, false, makeKeeping<steppers::Splitting6, 1>},
-      {"dmv2", 2, true, true, makeKeepingEnergy<steppers::Dmv<2>>},
-      {"dmv4", 4, true, true, makeKeepingEnergy<steppers::Dmv<4>>},
-      {"dmv6", 6, true, true, makeKeepingEnergy<steppers::Dmv<6>>},
-      {"dmv8", 8, true, true, makeKeepingEnergy<steppers::Dmv<8>>},
-      {"dmv10", 10, true, true, makeKeepingEnergy<steppers::Dmv<10>>},
-  };
-  return table;
-}
-
-const Method* findMethod(const std::string& name) {
-  for (const Method& method : methods()) {
-    if (name == method.name) return &method;
-  }
-  return nullptr;
-}
-
-std::string methodNames() {
-  std::string names;
-  for (const Method& method : methods()) names += (names.empty() ? "" : ", ") + std::string(method.name);
-  return names;
-}
-
-}  // namespace poinsot
+}  // namespace poinsot::batch
