@@ -56,7 +56,7 @@ double worstError(const Stepper& stepper, const Body& body, double step, int ste
       } catch (const NoConvergence&) {
         return kPi;
       }
-      if (!state.attitude.coeffs().allFinite() || !state.momentum_body.allFinite()) return kPi;
+      if (!state.attitude.coeffs().allFinite() || !state.momentum_principal.allFinite()) return kPi;
       worst = std::max(worst, angleBetween(truth.at(n * step).attitude, state.attitude));
     }
   }

@@ -210,7 +210,7 @@ std::vector<Contestant> ours(const Problem& p) {
                        return lost();
                      }
                      const auto& q = s.attitude;
-                     const Eigen::Vector3d w = s.omegaBody(p.moments);
+                     const Eigen::Vector3d w = s.omegaPrincipal(p.moments);
                      return State<double>{q.w(), q.x(), q.y(), q.z(), w[0], w[1], w[2]};
                    }});
   }

@@ -56,7 +56,7 @@ class StepperRun final : public Run {
     effort.exponentials += work.exponentials;
   }
   Answer answer(double time, const RotationState& state) const {
-    return {time, state.attitude, state.omegaBody(moments_)};
+    return {time, state.attitude, state.omegaPrincipal(moments_)};
   }
 
   Eigen::Vector3d moments_;
@@ -116,7 +116,7 @@ class ClosedFormRun final : public Run {
  private:
   Answer at(double t) const {
     const ClosedForm::State state = motion_.at(t);
-    return {t, state.attitude, state.omega_body};
+    return {t, state.attitude, state.omega_principal};
   }
 
   ClosedForm motion_;

@@ -25,7 +25,7 @@ inline int excess(double size) {
 
 /** Λ and L by 2ᵏ, which is exact but for denormals. */
 inline void scale(FreeRotationState& state, int k) {
-  for (auto* vector : {&state.momentum_body, &state.momentum_rest, &state.kept_momentum}) {
+  for (auto* vector : {&state.momentum_principal, &state.momentum_rest, &state.kept_momentum}) {
     *vector = vector->unaryExpr([k](double value) { return std::ldexp(value, k); });
   }
 }
@@ -39,7 +39,7 @@ inline void findKept(FreeRotationState& state, const Eigen::Vector3d& moments, c
     state.kept_momentum = kept;
     state.kept_inverse_square = kept.isZero(0) ? 0 : 1 / kept.squaredNorm();
   }
-  const Eigen::Vector3d& p = state.momentum_body;
+  const Eigen::Vector3d& p = state.momentum_principal;
   state.kept_inverse_inertia = p.dot(p.cwiseQuotient(moments)) * state.kept_inverse_square;
   if (std::abs(state.kept_inverse_inertia - kept_inverse_inertia) <= 1e-11 * kept_inverse_inertia) {
     state.kept_inverse_inertia = kept_inverse_inertia;
@@ -54,7 +54,7 @@ inline void findKept(FreeRotationState& state, const Eigen::Vector3d& moments, c
  * again, and stays.
  */
 inline void dropRemainders(FreeRotationState& state, int unstable_axis) {
-  Eigen::Vector3d& p = state.momentum_body;
+  Eigen::Vector3d& p = state.momentum_principal;
   const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
   const double most = std::max(x, std::max(y, z));
   if (std::abs(p[unstable_axis]) == most) return;
@@ -107,7 +107,7 @@ class BatchStepper final : public Stepper {
   Work advanceFrom(RotationState& state, double, double length) const override { return advance(state, 0, length, 1); }
 
   Work advance(RotationState& state, std::int64_t, double step, std::int64_t count) const override {
-    const int momentum_scale = excess(state.momentum_body.cwiseAbs().maxCoeff());
+    const int momentum_scale = excess(state.momentum_principal.cwiseAbs().maxCoeff());
     if (momentum_scale == 0 && moments_scale_ == 0) {
       return run(state, step, count);
     }

@@ -41,9 +41,10 @@ void checkTime(const char* what, double t) {
 
 }  // namespace
 
-ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude, const Eigen::Vector3d& omega_body)
-    : moments_(moments), attitude_(attitude), omega_body_(omega_body) {
-  const closed_form::Start start = checked(moments, attitude, omega_body);
+ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude,
+                       const Eigen::Vector3d& omega_principal)
+    : moments_(moments), attitude_(attitude), omega_principal_(omega_principal) {
+  const closed_form::Start start = checked(moments, attitude, omega_principal);
   if (closed_form::isOrdinary(start)) {
     closed_form::bestLevel().set_up(start, constants_);
   } else {
@@ -52,16 +53,17 @@ ClosedForm::ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitud
 }
 
 closed_form::Start ClosedForm::start() const {
-  return checked(moments_, attitude_, omega_body_);
+  return checked(moments_, attitude_, omega_principal_);
 }
 
 ClosedForm::State ClosedForm::at(double t) const {
   State state;
-  if (!closed_form::bestLevel().at(constants_, t, state.attitude.coeffs().data(), state.omega_body.data())) {
+  if (!closed_form::bestLevel().at(constants_, t, state.attitude.coeffs().data(), state.omega_principal.data())) {
     checkTime("the time", t);
     Phases phases;
     closed_form::phasesWide(start(), constants_, t, phases);
-    closed_form::bestLevel().at_phases(constants_, phases, state.attitude.coeffs().data(), state.omega_body.data());
+    closed_form::bestLevel().at_phases(constants_, phases, state.attitude.coeffs().data(),
+                                       state.omega_principal.data());
   }
   return state;
 }

@@ -12,7 +12,7 @@ double ratio(double difference, double reference) {
 }  // namespace
 
 Invariants invariantsOf(const Eigen::Vector3d& moments, const FreeRotationState& state) {
-  return {0.5 * state.momentum_body.dot(state.omegaBody(moments)), state.momentum_body.squaredNorm(),
+  return {0.5 * state.momentum_principal.dot(state.omegaPrincipal(moments)), state.momentum_principal.squaredNorm(),
           inlined::momentumWorld(state)};
 }
 

@@ -6,7 +6,7 @@
 namespace poinsot::inlined {
 
 inline Eigen::Vector3d momentumWorld(const FreeRotationState& state) {
-  return state.attitude * state.momentum_body;
+  return state.attitude * state.momentum_principal;
 }
 
 inline void keepMomentum(FreeRotationState& state, const Eigen::Vector3d& momentum_world) {

@@ -158,7 +158,7 @@ MotionState Motion::at(double t) {
   const Eigen::Vector3d& moments = setup_.inertia.moments();
   if (grid_) {
     const RotationState state = grid_->at(t);
-    MotionState out = describe(t, state, state.omegaBody(moments));
+    MotionState out = describe(t, state, state.omegaPrincipal(moments));
     if (torques_) describeTorques(state, out);
     return out;
   }
@@ -166,15 +166,15 @@ MotionState Motion::at(double t) {
   const ClosedForm::State state = exact_->at(t);
   FreeRotationState principal;  // nothing steps it: it needs no momentum to keep
   principal.attitude = state.attitude;
-  principal.momentum_body = moments.cwiseProduct(state.omega_body);
-  return describe(t, principal, state.omega_body);
+  principal.momentum_principal = moments.cwiseProduct(state.omega_principal);
+  return describe(t, principal, state.omega_principal);
 }
 
 void Motion::describeTorques(const RotationState& principal, MotionState& out) const {
   const Torques& torques = *torques_;
   const Torques::Constant& constant = torques.constant(torques.intervalAt(out.time));
   out.torque_world = principal.attitude * torques.at(out.time, constant, principal.attitude,
-                                                     principal.omegaBody(torques.moments()), principal.slug_omega);
+                                                     principal.omegaPrincipal(torques.moments()), principal.slug_omega);
   if (torques.slug()) {
     out.slug_omega = setup_.inertia.toBody(principal.slug_omega);
     out.momentum_world += principal.attitude * (torques.slug()->inertia * principal.slug_omega);

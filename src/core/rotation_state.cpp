@@ -5,10 +5,10 @@
 namespace poinsot {
 
 RotationState RotationState::fromOmega(const Eigen::Vector3d& moments, const Quaternion& attitude,
-                                       const Eigen::Vector3d& omega_body) {
+                                       const Eigen::Vector3d& omega_principal) {
   RotationState state;
   state.attitude = attitude;
-  state.momentum_body = moments.cwiseProduct(omega_body);
+  state.momentum_principal = moments.cwiseProduct(omega_principal);
   state.keepMomentum();
   return state;
 }

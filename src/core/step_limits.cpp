@@ -77,7 +77,7 @@ class Trial {
 
   void add(const ClosedForm& orbit, double t) {
     const ClosedForm::State state = orbit.at(t);
-    places_.push_back(RotationState::fromOmega(moments_, state.attitude, state.omega_body));
+    places_.push_back(RotationState::fromOmega(moments_, state.attitude, state.omega_principal));
   }
 
   /** Where to try: evenly along a period, and densely about the next flip, which may be a small part of it. */
@@ -101,8 +101,8 @@ class Trial {
     const int compared = static_cast<int>(std::clamp(std::ceil(steps_in_turn), 1.0, double(kMostSteps)));
     const int steps = rates_.fastest() * step > 1 ? kMostSteps : compared;
     const double per_turn = std::max(1.0, steps_in_turn / compared);
-    const ClosedForm truth(moments_, place.attitude, place.omegaBody(moments_));
-    const double scale = place.momentum_body.stableNorm();
+    const ClosedForm truth(moments_, place.attitude, place.omegaPrincipal(moments_));
+    const double scale = place.momentum_principal.stableNorm();
     const double energy = energyOf(place, scale), range = 0.5 * (1 / moments_.minCoeff() - 1 / moments_.maxCoeff());
     const double tolerance = kLost * std::min(energy, range * moments_.maxCoeff()) + 1e-12 * energy;
     const double lowest = 0.5, highest = 0.5 * moments_.maxCoeff() / moments_.minCoeff();
@@ -114,13 +114,13 @@ class Trial {
         worst.broken = error.what();
         return;
       }
-      if (!state.attitude.coeffs().allFinite() || !state.omegaBody(moments_).allFinite()) {
+      if (!state.attitude.coeffs().allFinite() || !state.omegaPrincipal(moments_).allFinite()) {
         worst.broken =
             "the state becomes infinite or undefined after " + std::to_string(n) + (n == 1 ? " step" : " steps");
         return;
       }
       worst.energy = std::max(worst.energy, kLost * std::abs(energyOf(state, scale) - energy) / tolerance);
-      worst.momentum = std::max(worst.momentum, std::abs(state.momentum_body.stableNorm() / scale - 1));
+      worst.momentum = std::max(worst.momentum, std::abs(state.momentum_principal.stableNorm() / scale - 1));
       if (n > compared) continue;
       if (n == compared && per_turn > 1) {
         // E leaves the end of its range exponentially, and comes to rest at the other.
@@ -136,7 +136,7 @@ class Trial {
 
   /** E μ_max/|L|², whatever the scale of the body. */
   double energyOf(const RotationState& state, double scale) const {
-    const Vector3d p = state.momentum_body / scale;
+    const Vector3d p = state.momentum_principal / scale;
     return 0.5 * p.dot(p.cwiseQuotient(moments_ / moments_.maxCoeff()));
   }
 
@@ -202,12 +202,12 @@ OrbitRates orbitRates(const Vector3d& moments, const Vector3d& omega) {
   return {size * turn, size * wobble};
 }
 
-StepJudgement judgeStep(const Method& method, const Vector3d& moments, const Vector3d& omega_body, double step) {
-  const OrbitRates rates = orbitRates(moments, omega_body);
+StepJudgement judgeStep(const Method& method, const Vector3d& moments, const Vector3d& omega_principal, double step) {
+  const OrbitRates rates = orbitRates(moments, omega_principal);
   if (effort(rates, std::abs(step)) < kClearlySmall) return {};
   try {
     // Backwards is the same as forwards from −Ω, for the body and for every method.
-    const Trial trial(method, moments, step < 0 ? Vector3d(-omega_body) : omega_body);
+    const Trial trial(method, moments, step < 0 ? Vector3d(-omega_principal) : omega_principal);
     StepJudgement judgement = trial.at(std::abs(step));
     if (judgement.grade != Grade::sound) judgement.largest_sound = largestSound(trial, std::abs(step));
     return judgement;

@@ -39,11 +39,11 @@ class Trial {
         return {Grade::hopeless, error.what(), 0};
       }
       truth_->advance(truth, n, step, 1);
-      if (!truth.momentum_body.allFinite()) {
+      if (!truth.momentum_principal.allFinite()) {
         return {Grade::hopeless, "it is so long that the motion cannot be followed in 262144 parts of it either", 0};
       }
       const double angle = angleBetween(state.attitude, truth.attitude);
-      if (!state.momentum_body.allFinite() || !(angle <= kHopeless)) {
+      if (!state.momentum_principal.allFinite() || !(angle <= kHopeless)) {
         return {Grade::hopeless, format("the attitude goes wrong by more than 1 rad within %.0f steps", n + 1), 0};
       }
       worst = std::max(worst, angle);
@@ -61,10 +61,10 @@ class Trial {
 }  // namespace
 
 StepJudgement judgeStep(const Method& method, const Torques& torques, const Quaternion& attitude,
-                        const Eigen::Vector3d& omega_body, double step) {
+                        const Eigen::Vector3d& omega_principal, double step) {
   if (method.cuts_steps) return {};
-  RotationState start = RotationState::fromOmega(torques.moments(), attitude, omega_body);
-  if (torques.slug()) start.slug_omega = omega_body;
+  RotationState start = RotationState::fromOmega(torques.moments(), attitude, omega_principal);
+  if (torques.slug()) start.slug_omega = omega_principal;
   const Trial trial(method, torques, start);
   StepJudgement judgement = trial.at(step);
   for (int i = 0; judgement.grade != Grade::sound && judgement.largest_sound == 0 && i < kMostHalvings; ++i) {

@@ -25,7 +25,7 @@ class ClosedFormTruth final : public Truth {
         cancel_(cancel),
         start_(RotationState::fromOmega(setup.inertia.moments(), setup.attitude.normalized() * setup.inertia.axes(),
                                         setup.inertia.toPrincipal(setup.omega_body))),
-        exact_(setup.inertia.moments(), start_.attitude, start_.omegaBody(setup.inertia.moments())) {}
+        exact_(setup.inertia.moments(), start_.attitude, start_.omegaPrincipal(setup.inertia.moments())) {}
 
   std::string objection() const override {
     const std::string known = numberText(kClosedFormError, 3) + " rad";

@@ -221,7 +221,7 @@ class Stretches {
       RotationState there = state;
       const double begin = timeOfStep(start.first + i), t = begin + look.rest;
       if (look.rest > 0) work += stepper->advanceFrom(there, begin, look.rest);
-      const Eigen::Vector3d omega = there.omegaBody(torques.moments());
+      const Eigen::Vector3d omega = there.omegaPrincipal(torques.moments());
       const Torques::Constant& constant = torques.constant(torques.intervalAt(t));
       sink = torques.at(t, constant, there.attitude, omega, there.slug_omega).x();
       ++work.torques;

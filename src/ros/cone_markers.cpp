@@ -53,9 +53,9 @@ void appendCone(const MarkerFactory& factory, const char* what, const std::strin
 void appendCones(const MarkerFactory& factory, const ClosedForm& motion, const PrincipalInertia& inertia, double metres,
                  MarkerArray& out) {
   const ClosedForm::State start = motion.at(0);
-  const std::optional<view::Cones> cones = view::cones(inertia.moments(), start.omega_body);
+  const std::optional<view::Cones> cones = view::cones(inertia.moments(), start.omega_principal);
   if (!cones) return;
-  const Eigen::Vector3d tip = metres * start.omega_body;
+  const Eigen::Vector3d tip = metres * start.omega_principal;
   const Eigen::Vector3d contact = tip + kBeyond * tip.normalized();
   appendCone(factory, names::kBodyCone, factory.frames().space_body, inertia.axes(), cones->body_axis, contact,
              palette::bodyCone(), out);

@@ -96,7 +96,7 @@ void appendRolling(const MarkerFactory& factory, const ClosedForm& motion, doubl
 
   const double rest = std::fmod(angle, kWholeTurn);
   const ClosedForm::State state = motion.at(herpolhode.start);
-  const Eigen::Vector3d spoke = metres * (state.attitude * state.omega_body) - foot;
+  const Eigen::Vector3d spoke = metres * (state.attitude * state.omega_principal) - foot;
   const Eigen::Vector3d rim = (1 + kArcBeyond / outer) * (spoke - spoke.dot(plane.normal) * plane.normal);
   Marker sector =
       factory.marker(factory.ns(names::kSpace, names::kMontgomery), 0, Marker::LINE_STRIP, factory.frames().space);

@@ -115,13 +115,13 @@ void step(Task& task, const Way& way) {
   auto state = poinsot::RotationState::fromOmega(task.moments, task.attitude, task.omega);
   way.method->make(task.moments)->advance(state, 0, task.t / n, static_cast<std::int64_t>(n));
   task.attitude = state.attitude;
-  task.omega = state.omegaBody(task.moments);
+  task.omega = state.omegaPrincipal(task.moments);
 }
 
 void evaluate(Task& task) {
   const auto state = poinsot::ClosedForm(task.moments, task.given, task.omega).at(task.t);
   task.attitude = state.attitude;
-  task.omega = state.omega_body;
+  task.omega = state.omega_principal;
 }
 
 /** Moves the task's attitude and omega to t. */

@@ -48,7 +48,7 @@ const char* textOfSteadySpin(const Eigen::Vector3d& moments, const Eigen::Vector
 }  // namespace
 
 double flipOnSeparatrix(const ClosedForm& motion) {
-  if (motion.at(0).omega_body[SortedAxes(motion.moments()).index[1]] == 0) return 0;
+  if (motion.at(0).omega_principal[SortedAxes(motion.moments()).index[1]] == 0) return 0;
   // Seen from a time before it, but from no earlier than it takes.
   double before = 0, left = motion.timeToNextFlip(0);
   for (double step = 1 / motion.precessionRate(); !std::isfinite(left) && std::isfinite(step); step *= 2) {
@@ -65,11 +65,11 @@ double largestSwing(const ClosedForm& motion) {
   if (axes.moment[0] == axes.moment[1] || axes.moment[1] == axes.moment[2]) return 0;
   const int a = motion.encircledAxis() == axes.index[0] ? 0 : 2, c = 2 - a;
   const auto& m = axes.moment;
-  Eigen::Vector3d omega = motion.at(0).omega_body;
+  Eigen::Vector3d omega = motion.at(0).omega_principal;
   omega /= omega.cwiseAbs().maxCoeff();
   const double ob = omega[axes.index[1]], oc = omega[axes.index[c]];
   const double ab = std::abs(m[a] - m[1]), ac = m[2] - m[0];
-  // |F − 2E I_a| = I_c d_ac Ω_c² + I_b d_ab Ω_b², a sum of positive terms.
+  // |F − 2E μ_a| = I_c d_ac Ω_c² + I_b d_ab Ω_b², a sum of positive terms.
   const double p = m[c] * ac * oc * oc + m[1] * ab * ob * ob;
   double f = 0;
   for (int i = 0; i < 3; ++i) f += std::pow(m[i] * omega[axes.index[i]], 2);

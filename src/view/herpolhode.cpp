@@ -24,7 +24,7 @@ class Tip {
 
   Eigen::Vector3d operator()(double t) const {
     const ClosedForm::State state = motion_.at(t);
-    return state.attitude * state.omega_body;
+    return state.attitude * state.omega_principal;
   }
   double radius(double t) const { return onPlane(t).norm(); }
   /** From the tip at one time to that at another, about L; −π … π. */
@@ -134,9 +134,9 @@ int halfPeriodsToClose(double angle, double outer, double tolerance, int most) {
 
 InvariablePlane invariablePlane(const ClosedForm& motion) {
   const ClosedForm::State state = motion.at(0);
-  const Eigen::Vector3d momentum = motion.moments().cwiseProduct(state.omega_body);
+  const Eigen::Vector3d momentum = motion.moments().cwiseProduct(state.omega_principal);
   const Eigen::Vector3d normal = momentum.stableNormalized();
-  return {state.attitude * normal, state.omega_body.dot(normal)};
+  return {state.attitude * normal, state.omega_principal.dot(normal)};
 }
 
 Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_periods, double tolerance) {
@@ -144,7 +144,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   const InvariablePlane plane = invariablePlane(motion);
   if (plane.normal.isZero(0)) return out;
   const Tip tip(motion, plane);
-  const Eigen::Vector3d momentum = motion.moments().cwiseProduct(motion.at(0).omega_body);
+  const Eigen::Vector3d momentum = motion.moments().cwiseProduct(motion.at(0).omega_principal);
   const double stray = tolerance * (momentum.stableNorm() / motion.moments().minCoeff());
   const std::size_t most = static_cast<std::size_t>(std::max(32, most_points));
 

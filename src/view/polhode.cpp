@@ -36,10 +36,10 @@ Curve openArc(int points, const Point& point) {
 
 /**
  * The loop about axis a. With b the intermediate and c the third axis, dᵢⱼ = |Iᵢ−Iⱼ|, and, from the components of Ω,
- *   P = I_c d_ac Ω_c² + I_b d_ab Ω_b²,   Q = I_a d_ac Ω_a² + I_b d_bc Ω_b²,   D = I_a d_ab Ω_a² − I_c d_bc Ω_c² > 0
- * (that is |2EI_a − F|, |F − 2EI_c|, |F − 2EI_b|), eliminating one component after the other gives
+ *   P = I_c d_ac Ω_c² + I_b d_ab Ω_b²,   Q = μ_a d_ac Ω_a² + I_b d_bc Ω_b²,   D = μ_a d_ab Ω_a² − I_c d_bc Ω_c² > 0
+ * (that is |2Eμ_a − F|, |F − 2EI_c|, |F − 2EI_b|), eliminating one component after the other gives
  *   Ω_c = √(P/(I_c d_ac)) cos φ,   Ω_b = √(P/(I_b d_ab)) sin φ,
- *   Ω_a² = (Q cos²φ + (d_ac/d_ab) D sin²φ)/(I_a d_ac).
+ *   Ω_a² = (Q cos²φ + (d_ac/d_ab) D sin²φ)/(μ_a d_ac).
  * Only D is a difference; its roundoff is that of Ω_a² and no more.
  */
 class Loop {
@@ -78,7 +78,7 @@ class Loop {
   double size_a_, size_b_, size_c_, waist_a_;
 };
 
-/** The sign of F − 2EI₂ from sorted components. */
+/** The sign of F − 2Eμ₂ from sorted components. */
 int sideOfSeparatrix(const SortedAxes& axes, const Eigen::Vector3d& omega) {
   // Scaled (exactly) by the larger of the two components that count, or both squares may underflow.
   const int exponent = std::ilogb(std::max(std::abs(omega[0]), std::abs(omega[2])));

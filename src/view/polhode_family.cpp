@@ -81,8 +81,8 @@ PolhodeFamily polhodeFamily(const Eigen::Vector3d& moments, const Eigen::Vector3
   const double unit =
       (sorted(moments).cwiseProduct(sorted(omega_principal) / largest).stableNorm() / moments.minCoeff()) * largest;
 
-  // Where a polhode crosses, told by e = (2E − F/I₃)/(F/I₁ − F/I₃), 1 at the end of axis 1 and 0 at that of axis 3:
-  // there Λ₁² = F e. On the separatrix 2E = F/I₂.
+  // Where a polhode crosses, told by e = (2E − F/μ₃)/(F/μ₁ − F/μ₃), 1 at the end of axis 1 and 0 at that of axis 3:
+  // there Λ₁² = F e. On the separatrix 2E = F/μ₂.
   const auto crossing = [](double e) { return std::acos(std::sqrt(std::clamp(e, 0.0, 1.0))); };
   const double i21 = m[0] * (m[2] - m[1]) / (m[1] * (m[2] - m[0]));  // e of the separatrix
   const double share1 = std::pow(momentum[0] / m[0], 2), share2 = std::pow(momentum[1] / m[0], 2);
@@ -114,7 +114,7 @@ PolhodeFamily polhodeFamily(const Eigen::Vector3d& moments, const Eigen::Vector3
   scale(out.members, unit);
 
   if (m[0] < m[1] && m[1] < m[2]) {
-    // On the separatrix 2E = F/I₂; here F = μmin².
+    // On the separatrix 2E = F/μ₂; here F = μmin².
     const double smallest = moments.minCoeff();
     out.separatrix = separatrix(moments, 0.5 * smallest * (m[0] / m[1]), pointsFor(1, tolerance));
     scale(out.separatrix, unit);

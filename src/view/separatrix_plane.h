@@ -9,9 +9,9 @@
 namespace poinsot::view {
 
 /**
- * One of the two planes through the intermediate axis that hold the separatrix F = 2E I₂, and the ellipse in it:
- *   Ω₂ = √(2E/I₂) c,   (Ω₁, Ω₃) = √(2E/(I₃−I₁)) s (√((I₃−I₂)/I₁), ±√((I₂−I₁)/I₃)).
- * I₁ < I₂ < I₃; sums and roots of positive terms only.
+ * One of the two planes through the intermediate axis that hold the separatrix F = 2E μ₂, and the ellipse in it:
+ *   Ω₂ = √(2E/μ₂) c,   (Ω₁, Ω₃) = √(2E/(μ₃−μ₁)) s (√((μ₃−μ₂)/μ₁), ±√((μ₂−μ₁)/μ₃)).
+ * μ₁ < μ₂ < μ₃; sums and roots of positive terms only.
  */
 class SeparatrixPlane {
  public:

@@ -64,7 +64,7 @@ Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector
   if (!(axes.moment[0] < axes.moment[1] && axes.moment[1] < axes.moment[2])) {
     throw std::invalid_argument("two moments are equal: there is no separatrix");
   }
-  // On the stable half of the arc, where Ω leaves the end of the axis: Ω̇₂ has the sign of (I₃−I₁)Ω₃Ω₁, so Ω₂ < 0 there
+  // On the stable half of the arc, where Ω leaves the end of the axis: Ω̇₂ has the sign of (μ₃−μ₁)Ω₃Ω₁, so Ω₂ < 0 there
   // for Ω₁Ω₃ > 0 in a right-handed order of axes; the other way round in a left-handed one.
   const int i1 = axes.index[0], i2 = axes.index[1], i3 = axes.index[2];
   const bool right_handed = (i2 - i1 + 3) % 3 == 1;

@@ -26,9 +26,14 @@ inline RotationState integrateFinely(const Eigen::Vector3d& moments, const Rotat
     for (int i = 0; i < 7; ++i) out[i] = s[i] + h * d[i];
     return out;
   };
-  State s = {start.attitude.w(),          start.attitude.x(),          start.attitude.y(),         start.attitude.z(),
-             start.momentum_body[0] / m1, start.momentum_body[1] / m2, start.momentum_body[2] / m3};
-  const double fastest = start.momentum_body.norm() / moments.minCoeff();
+  State s = {start.attitude.w(),
+             start.attitude.x(),
+             start.attitude.y(),
+             start.attitude.z(),
+             start.momentum_principal[0] / m1,
+             start.momentum_principal[1] / m2,
+             start.momentum_principal[2] / m3};
+  const double fastest = start.momentum_principal.norm() / moments.minCoeff();
   const long steps = std::lround(std::ceil(std::abs(t) * fastest * 2048)) + 1;
   const Real h = static_cast<Real>(t) / steps;
   for (long n = 0; n < steps; ++n) {
@@ -40,7 +45,8 @@ inline RotationState integrateFinely(const Eigen::Vector3d& moments, const Rotat
   out.attitude = Eigen::Quaterniond(static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2]),
                                     static_cast<double>(s[3]))
                      .normalized();
-  out.momentum_body = {static_cast<double>(s[4] * m1), static_cast<double>(s[5] * m2), static_cast<double>(s[6] * m3)};
+  out.momentum_principal = {static_cast<double>(s[4] * m1), static_cast<double>(s[5] * m2),
+                            static_cast<double>(s[6] * m3)};
   return out;
 }
 

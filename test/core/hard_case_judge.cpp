@@ -28,10 +28,10 @@ struct Exact {
   Vector momentum;  ///< world axes
 };
 
-Exact exactly(const Vector3d& moments, const Eigen::Quaterniond& attitude, const Vector& momentum_body) {
+Exact exactly(const Vector3d& moments, const Eigen::Quaterniond& attitude, const Vector& momentum_principal) {
   const Eigen::Quaternion<Real> q = attitude.cast<Real>();
-  const Vector omega = momentum_body.cwiseQuotient(moments.cast<Real>());
-  return {q.norm(), momentum_body.dot(omega) / 2, q.normalized() * momentum_body};
+  const Vector omega = momentum_principal.cwiseQuotient(moments.cast<Real>());
+  return {q.norm(), momentum_principal.dot(omega) / 2, q.normalized() * momentum_principal};
 }
 
 double relative(Real difference, Real reference) {
@@ -60,13 +60,13 @@ class Run {
         highest_(momentumOf(c).squaredNorm() / 2 / c.moments.minCoeff()) {}
 
   /** False once the state is not finite. */
-  bool look(std::int64_t n, const Eigen::Quaterniond& attitude, const Vector& momentum_body) {
+  bool look(std::int64_t n, const Eigen::Quaterniond& attitude, const Vector& momentum_principal) {
     measured.looked_at = n;
-    if (!attitude.coeffs().allFinite() || !momentum_body.allFinite()) {
+    if (!attitude.coeffs().allFinite() || !momentum_principal.allFinite()) {
       measured.finite = false;
       return false;
     }
-    const Exact now = exactly(case_.moments, attitude, momentum_body);
+    const Exact now = exactly(case_.moments, attitude, momentum_principal);
     const auto atMost = [](double& worst, Real value) { worst = std::max(worst, static_cast<double>(value)); };
     atMost(measured.norm, std::abs(now.norm - 1));
     atMost(measured.momentum, relative((now.momentum - start_.momentum).norm(), start_.momentum.norm()));
@@ -116,7 +116,7 @@ Measured measure(const Method& method, const HardCase& c) {
       state.attitude.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());  // no state: as good as none
     }
     n = next;
-    if (!run.look(n, state.attitude, state.momentum_body.cast<Real>())) break;
+    if (!run.look(n, state.attitude, state.momentum_principal.cast<Real>())) break;
     const double error = angleBetween(truth.at(static_cast<double>(n) * c.step).attitude, state.attitude);
     run.measured.attitude = std::max(run.measured.attitude, error);
     const double done = static_cast<double>(n * in_step);
@@ -133,7 +133,7 @@ Measured measureClosedForm(const HardCase& c) {
   Run run(c);
   for (const std::int64_t n : looks(c, orbitRates(c.moments, c.omega).turn)) {
     const ClosedForm::State state = form.at(static_cast<double>(n) * c.step);
-    if (!run.look(n, state.attitude, c.moments.cast<Real>().cwiseProduct(state.omega_body.cast<Real>()))) break;
+    if (!run.look(n, state.attitude, c.moments.cast<Real>().cwiseProduct(state.omega_principal.cast<Real>()))) break;
   }
   return run.measured;
 }

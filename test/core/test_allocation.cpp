@@ -112,7 +112,7 @@ TEST(Allocation, closedFormAllocatesNothing) {
       const ClosedForm copy = form;
       ClosedForm other = copy;
       other = form;
-      sink = other.at(1).omega_body.x();
+      sink = other.at(1).omega_principal.x();
       EXPECT_EQ(counter.count(), 0) << c.name << ": copies";
     }
     {

@@ -104,11 +104,11 @@ TEST(ClosedFormPeriod, bringsOmegaBackAndHalfOfItDoesNot) {
     const ClosedForm form = body.closedForm();
     const double period = form.period();
     for (const double t : {0.0, 0.13 * period, -3.7 * period}) {
-      const Eigen::Vector3d omega = form.at(t).omega_body;
-      EXPECT_LE((form.at(t + period).omega_body - omega).norm(), 1e-13 * omega.norm()) << named(body);
+      const Eigen::Vector3d omega = form.at(t).omega_principal;
+      EXPECT_LE((form.at(t + period).omega_principal - omega).norm(), 1e-13 * omega.norm()) << named(body);
       Eigen::Vector3d moving = omega;  // what of it is not along the encircled axis
       moving[form.encircledAxis()] = 0;
-      EXPECT_GT((form.at(t + period / 2).omega_body - omega).norm(), moving.norm()) << named(body);
+      EXPECT_GT((form.at(t + period / 2).omega_principal - omega).norm(), moving.norm()) << named(body);
     }
   }
 }
@@ -120,12 +120,12 @@ void expectFlipAfter(const Body& body, const ClosedForm& form, double t) {
   const double wait = form.timeToNextFlip(t);
   ASSERT_GT(wait, 0) << named(body);
   ASSERT_LE(wait, form.period() / 2 * (1 + 1e-14)) << named(body);
-  const auto component = [&](double when) { return form.at(when).omega_body[body.middleAxis()]; };
+  const auto component = [&](double when) { return form.at(when).omega_principal[body.middleAxis()]; };
   const double early = 1e-6 * wait, before = component(t + wait - early);
   EXPECT_LT(before * component(t + wait + early), 0) << named(body) << " t " << t;
   // t + wait is a rounded time, and wait itself: an ulp each. Ω is right to 2e-15 of itself.
   const double late = 2.3e-16 * (std::abs(t) + 2 * wait);
-  const double off = 2e-15 * form.at(t + wait).omega_body.norm();
+  const double off = 2e-15 * form.at(t + wait).omega_principal.norm();
   EXPECT_LE(std::abs(component(t + wait)), std::abs(before) * late / early + off) << named(body) << " t " << t;
   for (double part = 1e-3; part < 1; part += 1e-3) {
     ASSERT_GT(component(t + part * wait) * before, 0) << named(body) << " t " << t << " part " << part;
@@ -204,7 +204,7 @@ double solidAngle(const Body& body, const ClosedForm& form) {
   constexpr int kPoints = 1 << 14;
   double sum = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const Eigen::Vector3d omega = form.at(i * form.period() / kPoints).omega_body;
+    const Eigen::Vector3d omega = form.at(i * form.period() / kPoints).omega_principal;
     const Eigen::Vector3d l = body.moments.cwiseProduct(omega), across = l - l.dot(a) * a;
     const double turning = a.dot(across.cross(l.cross(omega))) / across.squaredNorm();  // dφ/dt; dΛ/dt = Λ × Ω
     sum += across.squaredNorm() / (l.norm() * (l.norm() + l.dot(a))) * turning;         // 1 − cos θ
@@ -237,7 +237,7 @@ double turnFollowed(const Body& body, const ClosedForm& form, double end, int st
   const int axis = form.encircledAxis();
   const Eigen::Vector3d a = (body.omega[axis] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(axis);
   const auto frame = [&](const ClosedForm::State& state) -> Eigen::Quaterniond {
-    const Eigen::Vector3d l = body.moments.cwiseProduct(state.omega_body);
+    const Eigen::Vector3d l = body.moments.cwiseProduct(state.omega_principal);
     return state.attitude * Eigen::Quaterniond::FromTwoVectors(a, l);
   };
   Eigen::Quaterniond last = frame(form.at(0));
@@ -387,7 +387,7 @@ TEST(ClosedFormSeparatrixDistance, isOneOnCirclesAndNoneOnTheSeparatrix) {
 TEST(ClosedFormState, ofTheTumblingBrick) {
   // NASA/TM-2015-218675 vol. II, check-case 2, recomputed from its inputs; slug·ft², deg/s.
   const Body brick{{.001894220, .006211019, .007194665}, Eigen::Vector3d(10, 20, 30) * kDegree};
-  const Eigen::Vector3d omega = brick.closedForm().at(30).omega_body / kDegree;
+  const Eigen::Vector3d omega = brick.closedForm().at(30).omega_principal / kDegree;
   EXPECT_NEAR(omega[0], 12.618391, 5e-7);
   EXPECT_NEAR(omega[1], -17.397475, 5e-7);
   EXPECT_NEAR(omega[2], 31.119589, 5e-7);
@@ -422,7 +422,7 @@ TEST(ClosedFormState, atZeroIsTheStart) {
         const Eigen::Matrix<long double, 4, 1> got = state.attitude.coeffs().cast<long double>();
         if (wanted.dot(got) < 0) wanted = -wanted;
         EXPECT_LE((got - wanted).norm(), 4e-16) << named(body);
-        EXPECT_LE((state.omega_body - body.omega).norm(), 1e-15 * body.omega.norm()) << named(body);
+        EXPECT_LE((state.omega_principal - body.omega).norm(), 1e-15 * body.omega.norm()) << named(body);
       }
     }
   }
@@ -449,7 +449,7 @@ TEST(ClosedFormState, theSignOfTheQuaternionDoesNotJump) {
     for (Eigen::Index i = 0; i < n; ++i) {
       const ClosedForm::State state = form.at(-reach + static_cast<double>(i) * dt);
       const Eigen::Vector4d q(state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z());
-      singly.row(i) << q.transpose(), state.omega_body.transpose();
+      singly.row(i) << q.transpose(), state.omega_principal.transpose();
     }
     expectSmooth(singly, body);
     expectSmooth(form.sample(1e9, dt, n), body);
@@ -462,7 +462,7 @@ TEST(ClosedFormState, timesOfAGridAreNotRounded) {
        std::vector<Body>{kBodies[0], kBodies[1], kBodies[4], kBodies[6], {{2, 2, 1}, {0.3, 0.8, 1.5}}}) {
     const ClosedForm form = body.closedForm();
     const ClosedForm::State start = form.at(1e9);
-    const ClosedForm from_there(body.moments, start.attitude, start.omega_body);
+    const ClosedForm from_there(body.moments, start.attitude, start.omega_principal);
     const ClosedForm::Samples samples = form.sample(1e9, 0.1, 33);
     for (int j = 1; j <= 32; j *= 2) {
       const ClosedForm::State wanted = from_there.at(j * 0.1);
@@ -480,9 +480,9 @@ TEST(ClosedFormState, omegaBeyondDoublesIsInfiniteNotNaN) {
   int infinite = 0, finite = 0;
   for (int i = -100; i <= 100; ++i) {
     const ClosedForm::State state = form.at(i * 1e-312);
-    EXPECT_FALSE(state.omega_body.hasNaN()) << i;
+    EXPECT_FALSE(state.omega_principal.hasNaN()) << i;
     EXPECT_NEAR(state.attitude.norm(), 1, 1e-15) << i;
-    ++(state.omega_body.allFinite() ? finite : infinite);
+    ++(state.omega_principal.allFinite() ? finite : infinite);
   }
   EXPECT_GT(infinite, 0);
   EXPECT_GT(finite, 0);

@@ -65,7 +65,7 @@ SLOW_PROPERTY(ClosedFormAnyInput, givesASoundState) {
   RC_LOG() << body << "t = " << shown(t) << std::endl;
   const ClosedForm form = body.closedForm();
   const ClosedForm::State state = form.at(t);
-  expectSound(body, state.attitude.coeffs(), state.omega_body);
+  expectSound(body, state.attitude.coeffs(), state.omega_principal);
 }
 
 SLOW_PROPERTY(ClosedFormAnyInput, givesSoundGrids) {

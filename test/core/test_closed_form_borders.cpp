@@ -34,8 +34,8 @@ Bend bend(const FreeBody& below, const FreeBody& middle, const FreeBody& above, 
   Bend sum;
   add<RealVector4>(sum, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,
                    alignedWith(q, c.attitude.cast<Real>().coeffs()), Real(0.5));
-  add<Vector3>(sum, a.omega_body.cast<Real>(), b.omega_body.cast<Real>(), c.omega_body.cast<Real>(),
-               b.omega_body.cast<Real>().norm());
+  add<Vector3>(sum, a.omega_principal.cast<Real>(), b.omega_principal.cast<Real>(), c.omega_principal.cast<Real>(),
+               b.omega_principal.cast<Real>().norm());
   return sum;
 }
 
@@ -119,7 +119,7 @@ RC_GTEST_PROP(ClosedFormBorders, ofRest, ()) {
   middle.omega.setZero();
   const double t = draw::sign() * draw::powerOfTen(-3, 0);
   const ClosedForm::State a = below.closedForm().at(t), b = middle.closedForm().at(t), c = above.closedForm().at(t);
-  RC_ASSERT(b.omega_body.isZero(0));
+  RC_ASSERT(b.omega_principal.isZero(0));
   const RealVector4 q = b.attitude.cast<Real>().coeffs();
   Bend seen;
   add<RealVector4>(seen, alignedWith(q, a.attitude.cast<Real>().coeffs()), q,

@@ -44,8 +44,8 @@ RC_GTEST_PROP(ClosedFormPeriods, omegaComesBack, ()) {
   const ClosedForm form = body.closedForm();
   const double period = form.period(), t = draw::integer(0, 1) == 0 ? 0 : draw::time(body, 1e3);
   const ClosedForm::State before = form.at(t), after = form.at(t + period);
-  const Allowed most = allowed(body, before.omega_body, std::abs(t) + period);
-  const double off = relativeDifference(before.omega_body, after.omega_body);
+  const Allowed most = allowed(body, before.omega_principal, std::abs(t) + period);
+  const double off = relativeDifference(before.omega_principal, after.omega_principal);
   RC_LOG() << body << "T = " << period << ", t = " << t << ": off by " << off << " of " << most.omega << std::endl;
   RC_ASSERT(std::isfinite(period) && period > 0);
   RC_ASSERT(off <= most.omega);
@@ -56,7 +56,7 @@ RC_GTEST_PROP(ClosedFormPeriods, halfwayTwoComponentsAreReversed, ()) {
   const FreeBody body = draw::movingBody();
   const ClosedForm form = body.closedForm();
   const double half = form.period() / 2;
-  const Eigen::Vector3d after = form.at(half).omega_body;
+  const Eigen::Vector3d after = form.at(half).omega_principal;
   Eigen::Vector3d wanted = -body.omega;
   wanted[form.encircledAxis()] *= -1;
   const double off = relativeDifference(wanted, after), most = allowed(body, wanted, half).omega;
@@ -133,11 +133,12 @@ RC_GTEST_PROP(ClosedFormPeriods, flipsComeHalfAPeriodApart, ()) {
   const ClosedForm::State flip = form.at(t + wait);
   // An ulp of the phase, which counts in half-periods, is one of the period.
   const double late = 2 * kUlp * (std::abs(t) + wait + period);
-  RC_ASSERT(std::abs(flip.omega_body[middle]) <=
-            kAccuracy * flip.omega_body.norm() + late * std::abs(acceleration(body, flip.omega_body)[middle]));
+  RC_ASSERT(std::abs(flip.omega_principal[middle]) <=
+            kAccuracy * flip.omega_principal.norm() +
+                late * std::abs(acceleration(body, flip.omega_principal)[middle]));
   // No sign changes before it, one at it, and the next one is half a period later.
-  const double before = form.at(t + 0.5 * wait).omega_body[middle],
-               after = form.at(t + wait + period / 4).omega_body[middle];
+  const double before = form.at(t + 0.5 * wait).omega_principal[middle],
+               after = form.at(t + wait + period / 4).omega_principal[middle];
   RC_ASSERT(before * after < 0);
   const double next = form.timeToNextFlip(t + wait + period / 4);
   RC_ASSERT(std::abs(next - period / 4) <= 8 * kUlp * (std::abs(t) + wait + period));

@@ -21,7 +21,7 @@ struct Difference {
 };
 
 Difference difference(const ClosedForm::State& a, const ClosedForm::State& b) {
-  return {angle(a.attitude, b.attitude), relativeDifference(a.omega_body, b.omega_body)};
+  return {angle(a.attitude, b.attitude), relativeDifference(a.omega_principal, b.omega_principal)};
 }
 
 /**
@@ -34,7 +34,7 @@ class TakenUp {
  public:
   TakenUp(const FreeBody& body, double t) : body_(body), start_(body.closedForm().at(t)) {}
 
-  ClosedForm::State at(double s) const { return from(start_.omega_body).at(s); }
+  ClosedForm::State at(double s) const { return from(start_.omega_principal).at(s); }
 
   /** What the box does after s. */
   Difference uncertainty(double s) const {
@@ -67,9 +67,9 @@ class TakenUp {
   /** The change after s when component i of Ω moves to the farther one of two faces of a box `size` times as large. */
   Difference response(int i, double size, double s) const {
     const ClosedForm::State centre = at(s);
-    const Eigen::Vector3d step = size * kAccuracy * start_.omega_body.stableNorm() * Eigen::Vector3d::Unit(i);
-    const Difference up = difference(centre, from(start_.omega_body + step).at(s));
-    const Difference down = difference(centre, from(start_.omega_body - step).at(s));
+    const Eigen::Vector3d step = size * kAccuracy * start_.omega_principal.stableNorm() * Eigen::Vector3d::Unit(i);
+    const Difference up = difference(centre, from(start_.omega_principal + step).at(s));
+    const Difference down = difference(centre, from(start_.omega_principal - step).at(s));
     return {std::max(up.attitude, down.attitude), std::max(up.omega, down.omega)};
   }
 
@@ -112,7 +112,7 @@ RC_GTEST_PROP(ClosedFormProperties, isWhereItStarts, ()) {
   RC_LOG() << body;
   const ClosedForm::State start = body.closedForm().at(0);
   RC_ASSERT(angle(body.attitude, start.attitude) <= kAccuracy);
-  RC_ASSERT(relativeDifference(body.omega, start.omega_body) <= kAccuracy);
+  RC_ASSERT(relativeDifference(body.omega, start.omega_principal) <= kAccuracy);
 }
 
 RC_GTEST_PROP(ClosedFormProperties, keepsTheQuaternionUnit, ()) {
@@ -135,9 +135,9 @@ RC_GTEST_PROP(ClosedFormProperties, conservesEnergyAndMomentum, ()) {
   };
   const Real e0 = twiceEnergy(body.omega), l0 = momentum(body.omega).norm();
   const Vector3 in_world_0 = body.attitude.cast<Real>().normalized() * momentum(body.omega);
-  const Vector3 in_world = state.attitude.cast<Real>() * momentum(state.omega_body);
-  const double energy = static_cast<double>(std::abs(twiceEnergy(state.omega_body) / e0 - 1));
-  const double size = static_cast<double>(std::abs(momentum(state.omega_body).norm() / l0 - 1));
+  const Vector3 in_world = state.attitude.cast<Real>() * momentum(state.omega_principal);
+  const double energy = static_cast<double>(std::abs(twiceEnergy(state.omega_principal) / e0 - 1));
+  const double size = static_cast<double>(std::abs(momentum(state.omega_principal).norm() / l0 - 1));
   const double turn = static_cast<double>((in_world - in_world_0).norm() / l0);
   RC_LOG() << body << "t = " << shown(t) << ": E off by " << energy << ", |L| by " << size << ", L by " << turn
            << std::endl;
@@ -173,8 +173,9 @@ RC_GTEST_PROP(ClosedFormProperties, obeysTheEquationsOfMotion, ()) {
   RC_PRE(between > h);
   const ClosedForm form = body.closedForm();
   const ClosedForm::State before = form.at(before_t), here = form.at(t), after = form.at(after_t);
-  const Vector3 mu = body.moments.cast<Real>(), omega = here.omega_body.cast<Real>(), momentum = mu.cwiseProduct(omega);
-  const Vector3 change = mu.cwiseProduct(after.omega_body.cast<Real>() - before.omega_body.cast<Real>());
+  const Vector3 mu = body.moments.cast<Real>(), omega = here.omega_principal.cast<Real>(),
+                momentum = mu.cwiseProduct(omega);
+  const Vector3 change = mu.cwiseProduct(after.omega_principal.cast<Real>() - before.omega_principal.cast<Real>());
   const RealQuaternion q = here.attitude.cast<Real>();
   const RealQuaternion rate = q * RealQuaternion(0, omega[0] / 2, omega[1] / 2, omega[2] / 2);
   const RealVector4 turn = after.attitude.cast<Real>().coeffs() - before.attitude.cast<Real>().coeffs();
@@ -201,7 +202,7 @@ SLOW_PROPERTY(ClosedFormProperties, samplesAreSingleEvaluations) {
     const ClosedForm::State state = form.at(t0 + j * dt);
     const Eigen::Quaterniond attitude(table(j, 0), table(j, 1), table(j, 2), table(j, 3));
     off = std::max(off, angle(state.attitude, attitude));
-    omega_off = std::max(omega_off, relativeDifference(state.omega_body, table.row(j).tail<3>().transpose()));
+    omega_off = std::max(omega_off, relativeDifference(state.omega_principal, table.row(j).tail<3>().transpose()));
     RC_ASSERT(state.attitude.dot(attitude) > 0);
     RC_ASSERT(std::abs(attitude.cast<Real>().norm() - 1) <= 1e-15L);
   }

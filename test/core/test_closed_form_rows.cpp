@@ -82,7 +82,7 @@ TEST_P(ClosedFormRows, at) {
   RowJudge judge;
   for (const ReferenceRow& row : allRows(GetParam())) {
     const ClosedForm::State state = closedForm(row).at(row.t);
-    judge.judge(row, state.attitude, state.omega_body, "at");
+    judge.judge(row, state.attitude, state.omega_principal, "at");
   }
   judge.print(std::string("at, ") + GetParam().name);
 }

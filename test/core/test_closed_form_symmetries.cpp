@@ -42,7 +42,8 @@ std::vector<AxisRotation> axisRotations() {
 }
 
 void expectSame(const ClosedForm::State& a, const ClosedForm::State& b) {
-  const double attitude = angle(a.attitude, b.attitude), omega = relativeDifference(a.omega_body, b.omega_body);
+  const double attitude = angle(a.attitude, b.attitude),
+               omega = relativeDifference(a.omega_principal, b.omega_principal);
   RC_LOG() << "attitude off by " << attitude << " rad, Omega by " << omega << std::endl;
   RC_ASSERT(attitude <= kTwice);
   RC_ASSERT(omega <= kTwice);
@@ -72,7 +73,7 @@ RC_GTEST_PROP(ClosedFormSymmetries, turnedBackItRunsBackwards, ()) {
   const double t = draw::time(body, 1e9);
   RC_LOG() << body << "t = " << shown(t) << std::endl;
   ClosedForm::State state = turned.closedForm().at(t);
-  state.omega_body = -state.omega_body;
+  state.omega_principal = -state.omega_principal;
   expectSame(body.closedForm().at(-t), state);
 }
 
@@ -93,7 +94,7 @@ RC_GTEST_PROP(ClosedFormSymmetries, axesMayComeInAnyOrderAndSign, ()) {
       angle(here.attitude.cast<Real>() * p.quaternion.conjugate().cast<Real>(), there.attitude.cast<Real>());
   RC_LOG() << "attitude off by " << off << std::endl;
   RC_ASSERT(off <= kTwice);
-  RC_ASSERT(relativeDifference(mirrored * (p.matrix * here.omega_body), there.omega_body) <= kTwice);
+  RC_ASSERT(relativeDifference(mirrored * (p.matrix * here.omega_principal), there.omega_principal) <= kTwice);
 }
 
 RC_GTEST_PROP(ClosedFormSymmetries, theUnitOfInertiaDoesNotMatter, ()) {
@@ -104,7 +105,7 @@ RC_GTEST_PROP(ClosedFormSymmetries, theUnitOfInertiaDoesNotMatter, ()) {
   RC_LOG() << body << scaled << "t = " << shown(t) << std::endl;
   const ClosedForm::State a = body.closedForm().at(t), b = scaled.closedForm().at(t);
   RC_ASSERT(a.attitude.coeffs() == b.attitude.coeffs());
-  RC_ASSERT(a.omega_body == b.omega_body);
+  RC_ASSERT(a.omega_principal == b.omega_principal);
 }
 
 RC_GTEST_PROP(ClosedFormSymmetries, theUnitOfTimeDoesNotMatter, ()) {
@@ -117,7 +118,7 @@ RC_GTEST_PROP(ClosedFormSymmetries, theUnitOfTimeDoesNotMatter, ()) {
   RC_LOG() << body << scaled << "t = " << shown(t) << std::endl;
   const ClosedForm::State a = body.closedForm().at(t), b = scaled.closedForm().at(t / factor);
   RC_ASSERT(a.attitude.coeffs() == b.attitude.coeffs());
-  RC_ASSERT(a.omega_body * factor == b.omega_body);
+  RC_ASSERT(a.omega_principal * factor == b.omega_principal);
 }
 
 /** To so many bits that its product with a small integer is exact. */
@@ -142,7 +143,7 @@ RC_GTEST_PROP(ClosedFormSymmetries, anyFactorOfInertiaOrTime, ()) {
   double t = with42Bits({draw::time(body, 1e9), 1, 1})[0];
   RC_LOG() << body << scaled << "t = " << shown(t) << " / " << time << std::endl;
   ClosedForm::State state = body.closedForm().at(t * time);
-  state.omega_body *= time;
+  state.omega_principal *= time;
   expectSame(state, scaled.closedForm().at(t));
 }
 

@@ -81,7 +81,7 @@ TEST(LieEuler, energyRisesAtEveryStepUntilTheSpinIsAboutTheSmallestMoment) {
     const Vector3d moments = draws.moments();
     const auto stepper = findMethod("lie_euler")->make(moments);
     RotationState state = drawState(draws, moments);
-    const double most = 0.5 * state.momentum_body.squaredNorm() / moments.minCoeff();
+    const double most = 0.5 * state.momentum_principal.squaredNorm() / moments.minCoeff();
     double energy = invariantsOf(moments, state).kinetic_energy;
     for (int n = 0; n < 20000; ++n) {
       stepper->advance(state, 0, 0.1, 1);
@@ -102,7 +102,7 @@ TEST(LieEuler, energyGainOfAStep) {
   for (int body = 0; body < 50; ++body) {
     const Vector3d moments = draws.moments();
     RotationState state = drawState(draws, moments);
-    const Vector3d omega = state.omegaBody(moments), rate = state.momentum_body.cross(omega);
+    const Vector3d omega = state.omegaPrincipal(moments), rate = state.momentum_principal.cross(omega);
     const double h = 1e-4, predicted = 0.5 * h * h * rate.dot(rate.cwiseQuotient(moments));
     if (predicted < 1e-10) continue;  // lost in the roundoff of E
     const double before = invariantsOf(moments, state).kinetic_energy;

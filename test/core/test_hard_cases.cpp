@@ -77,37 +77,37 @@ std::string complaintsAbout(const Method& method) {
 
 struct Sound {
   Vector3d moments;
-  void step(RotationState& s, double h) const { steppers::rotate(s, h * s.omegaBody(moments)); }
+  void step(RotationState& s, double h) const { steppers::rotate(s, h * s.omegaPrincipal(moments)); }
 };
 
 struct NeverNormalised {
   Vector3d moments;
   void step(RotationState& s, double h) const {
-    const Quaterniond turn = expQuaternion(h * s.omegaBody(moments));
+    const Quaterniond turn = expQuaternion(h * s.omegaPrincipal(moments));
     s.attitude = s.attitude * turn;
-    s.momentum_body = turn.conjugate() * s.momentum_body;
+    s.momentum_principal = turn.conjugate() * s.momentum_principal;
   }
 };
 
 struct TurnsMomentumTheWrongWay {
   Vector3d moments;
   void step(RotationState& s, double h) const {
-    const Vector3d theta = h * s.omegaBody(moments), momentum = s.momentum_body;
+    const Vector3d theta = h * s.omegaPrincipal(moments), momentum = s.momentum_principal;
     steppers::rotate(s, theta);
-    s.momentum_body = expQuaternion(theta) * momentum;
+    s.momentum_principal = expQuaternion(theta) * momentum;
   }
 };
 
 struct TurnsTheBodyTheWrongWay {
   Vector3d moments;
-  void step(RotationState& s, double h) const { steppers::rotate(s, -h * s.omegaBody(moments)); }
+  void step(RotationState& s, double h) const { steppers::rotate(s, -h * s.omegaPrincipal(moments)); }
 };
 
 /** Buss's second-order method without its h²α/2. */
 struct DropsATerm {
   Vector3d moments;
   void step(RotationState& s, double h) const {
-    const Vector3d omega = s.omegaBody(moments), alpha = s.momentum_body.cross(omega).cwiseQuotient(moments);
+    const Vector3d omega = s.omegaPrincipal(moments), alpha = s.momentum_principal.cross(omega).cwiseQuotient(moments);
     steppers::rotate(s, h * (omega + (h * h / 12) * alpha.cross(omega)));
   }
 };
@@ -117,7 +117,7 @@ struct HidesNan {
   Vector3d moments;
   void step(RotationState& s, double h) const {
     findMethod("rk4")->make(moments)->advance(s, 0, h, 1);
-    if (s.momentum_body.allFinite() && s.attitude.coeffs().allFinite()) return;
+    if (s.momentum_principal.allFinite() && s.attitude.coeffs().allFinite()) return;
     s = RotationState();
   }
 };

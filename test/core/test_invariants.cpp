@@ -20,7 +20,7 @@ TEST(Invariants, knownValues) {
   EXPECT_DOUBLE_EQ(invariants.kinetic_energy, 29.5);
   EXPECT_DOUBLE_EQ(invariants.momentum_squared, 265);
   EXPECT_LE((invariants.momentum_world - Vector3d(-6, 2, 15)).norm(), 1e-14);
-  EXPECT_LE((state.omegaBody(moments) - Vector3d(1, 2, 3)).norm(), 1e-15);
+  EXPECT_LE((state.omegaPrincipal(moments) - Vector3d(1, 2, 3)).norm(), 1e-15);
 }
 
 TEST(Invariants, momentumSquaredIsThatOfL) {

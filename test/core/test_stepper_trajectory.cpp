@@ -26,7 +26,7 @@ RotationState direct(std::int64_t n, const char* method = "buss2", double step =
 }
 
 bool same(const RotationState& a, const RotationState& b) {
-  return a.attitude.coeffs() == b.attitude.coeffs() && a.momentum_body == b.momentum_body;
+  return a.attitude.coeffs() == b.attitude.coeffs() && a.momentum_principal == b.momentum_principal;
 }
 
 TEST(StepperTrajectory, stateDoesNotDependOnHowOneGotThere) {

@@ -84,7 +84,7 @@ TEST(TorqueOrder, ofTaylorsMethodsIsTheOneInTheirNames) {
           RotationState a = start, b = start;
           if (stepper->advanceFrom(a, 0, h).evaluations > method.order) return HUGE_VAL;  // cut: the order of its parts
           for (int k = 0; k < 16; ++k) fine->advanceFrom(b, k * h / 16, h / 16);
-          return (a.momentum_body - b.momentum_body).norm();
+          return (a.momentum_principal - b.momentum_principal).norm();
         };
         double h = 4;
         while (error(h) > 3e-11) h *= 0.9;

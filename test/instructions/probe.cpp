@@ -108,7 +108,7 @@ void countSteps(const scene::Body& body, std::int64_t steps) {
     for (std::int64_t n = 0; n < steps; ++n) {
       sink = nothing
                  .at(static_cast<double>(n) * w.step, nothing.constant(0), watched.attitude,
-                     watched.omegaBody(w.moments), Eigen::Vector3d::Zero())
+                     watched.omegaPrincipal(w.moments), Eigen::Vector3d::Zero())
                  .x();
     }
   });
@@ -120,11 +120,11 @@ MotionState stateByHand(const ClosedForm& exact, double t) {
   const ClosedForm::State state = exact.at(t);
   const Eigen::Vector3d& moments = exact.moments();
   const Invariants invariants =
-      invariantsOf(moments, RotationState::fromOmega(moments, state.attitude, state.omega_body));
+      invariantsOf(moments, RotationState::fromOmega(moments, state.attitude, state.omega_principal));
   out.time = t;
   out.attitude = state.attitude;
-  out.omega_body = state.omega_body;
-  out.omega_world = state.attitude * state.omega_body;
+  out.omega_body = state.omega_principal;
+  out.omega_world = state.attitude * state.omega_principal;
   out.momentum_world = invariants.momentum_world;
   out.kinetic_energy = invariants.kinetic_energy;
   const bool finite = out.attitude.coeffs().allFinite() && out.omega_body.allFinite() && out.omega_world.allFinite() &&
@@ -142,13 +142,13 @@ void countStates(const scene::Body& body, std::int64_t states) {
   count(w.name + "/scene", [&] {
     for (std::int64_t k = 0; k < states; ++k) sink = motion.at(static_cast<double>(k) / kRate).kinetic_energy;
   });
-  const ClosedForm exact(w.moments, w.start.attitude, w.start.omegaBody(w.moments));
+  const ClosedForm exact(w.moments, w.start.attitude, w.start.omegaPrincipal(w.moments));
   count(w.name + "/by_hand", [&] {
     for (std::int64_t k = 0; k < states; ++k) sink = stateByHand(exact, static_cast<double>(k) / kRate).kinetic_energy;
   });
   expectSame(w.name, stateByHand(exact, 3).attitude, motion.at(3).attitude);
   count(w.name + "/closed_form_alone", [&] {
-    for (std::int64_t k = 0; k < states; ++k) sink = exact.at(static_cast<double>(k) / kRate).omega_body.x();
+    for (std::int64_t k = 0; k < states; ++k) sink = exact.at(static_cast<double>(k) / kRate).omega_principal.x();
   });
 }
 

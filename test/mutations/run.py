@@ -23,7 +23,7 @@ AT_ONCE = 2  # copies of the package
 # name, file, what stands there (once), what is put there, what the audit must say
 MUTATIONS = [
     ("energy without its half", "src/core/invariants.cpp",
-     "return {0.5 * state.momentum_body.dot(", "return {state.momentum_body.dot(",
+     "return {0.5 * state.momentum_principal.dot(", "return {state.momentum_principal.dot(",
      r"kinetic_energy is 2\.?0* times"),
     ("momentum ellipsoid with semi-axes sqrt(F/mu)", "src/view/ellipsoids.cpp",
      "std::sqrt(momentum_squared) * moments.cwiseInverse()", "(momentum_squared * moments.cwiseInverse()).cwiseSqrt()",
@@ -45,7 +45,7 @@ MUTATIONS = [
      "MotionState Motion::describe(double t, const RotationState& given, const Eigen::Vector3d& omega) const {\n"
      "  const RotationState principal{\n"
      "      Eigen::Quaterniond(Eigen::AngleAxisd(1e-4 * t, Eigen::Vector3d::UnitX())) * given.attitude,\n"
-     "      given.momentum_body};",
+     "      given.momentum_principal};",
      r"L .*(turn|direction|drift)"),
     ("the body turns about L the wrong way", "src/core/closed_form/set_up.h",
      "rates.turn = (drift + scaled(p * phase_slope, 2))", "rates.turn = -(drift + scaled(p * phase_slope, 2))",

@@ -42,7 +42,7 @@ Watched watch(const ClosedForm& motion, double until, int samples) {
   double last = 0;
   for (int i = 0; i <= samples; ++i) {
     const double t = until * i / samples;
-    const Vector3d lambda = motion.moments().cwiseProduct(motion.at(t).omega_body);
+    const Vector3d lambda = motion.moments().cwiseProduct(motion.at(t).omega_principal);
     const double swing = lambda[middle] / lambda.norm();
     out.largest_swing = std::max(out.largest_swing, std::abs(swing));
     if (swing * last < 0) {
@@ -85,9 +85,9 @@ TEST(Flips, areCountedAndForetoldAsOneSeesThem) {
       const int middle = middleOf(b.moments);
       for (const double at : {t + forwards.to_next, t - backwards.to_next}) {
         ASSERT_NE(at, t);
-        const double before = motion.at(t).omega_body[middle], size = motion.at(t).omega_body.norm();
-        EXPECT_NEAR(motion.at(at).omega_body[middle] / size, 0, 1e-10);
-        for (int k = 1; k < 20; ++k) EXPECT_GT(motion.at(t + (at - t) * k / 20).omega_body[middle] * before, 0);
+        const double before = motion.at(t).omega_principal[middle], size = motion.at(t).omega_principal.norm();
+        EXPECT_NEAR(motion.at(at).omega_principal[middle] / size, 0, 1e-10);
+        for (int k = 1; k < 20; ++k) EXPECT_GT(motion.at(t + (at - t) * k / 20).omega_principal[middle] * before, 0);
       }
       EXPECT_NEAR((forwards.to_next + backwards.to_next) / motion.period(), 0.5, 1e-9);
     }
@@ -125,7 +125,7 @@ TEST(Flips, oneOnTheSeparatrix) {
   const ClosedForm before({3, 4, 6}, Quaterniond::Identity(), {-0.014, -3, 0.007});
   ASSERT_EQ(later.regime(), ClosedForm::Regime::separatrix);
   const double when = flipsOf(later, 0, 1).to_next;
-  EXPECT_NEAR(later.at(when).omega_body[1], 0, 1e-12);
+  EXPECT_NEAR(later.at(when).omega_principal[1], 0, 1e-12);
   const auto expectFlips = [](const ClosedForm& motion, double t, double direction, int count, double to_next) {
     const Flips flips = flipsOf(motion, t, direction);
     EXPECT_TRUE(flips.flips);
@@ -143,7 +143,7 @@ TEST(Flips, oneOnTheSeparatrix) {
   expectFlips(later, 9, -1, 1, 9 - when);
   for (const double t : {-9.0, -1.0, 4.0}) {
     const double flip = t - flipsOf(before, t, t > -when ? -1 : 1).to_next * (t > -when ? 1 : -1);
-    EXPECT_NEAR(before.at(flip).omega_body[1], 0, 1e-9);
+    EXPECT_NEAR(before.at(flip).omega_principal[1], 0, 1e-9);
     EXPECT_LT(flip, -5);
   }
   expectFlips(before, -20, 1, -1, flipsOf(before, -20, 1).to_next);

@@ -73,7 +73,7 @@ TEST(Herpolhode, liesOnThePlaneInItsAnnulusAndTheTipOfOmegaFollowsIt) {
     EXPECT_GE(inner, h.inner - 1e-12 * plane.longest);
     EXPECT_NEAR(inner, h.inner, 1e-2 * plane.longest);
     EXPECT_NEAR(radiusOf(points.front(), plane), h.outer, 1e-12 * plane.longest);
-    EXPECT_NEAR((motion.at(h.start).attitude * motion.at(h.start).omega_body - points.front()).norm(), 0,
+    EXPECT_NEAR((motion.at(h.start).attitude * motion.at(h.start).omega_principal - points.front()).norm(), 0,
                 1e-12 * plane.longest);
     if (h.curve.closed && h.outer - h.inner > 2e-3 * plane.longest) {
       EXPECT_LT((points.back() - points.front()).norm(), 0.5 * h.outer);  // no chord across
@@ -81,7 +81,7 @@ TEST(Herpolhode, liesOnThePlaneInItsAnnulusAndTheTipOfOmegaFollowsIt) {
     // All of the first half period is near the line.
     for (int k = 0; k <= 500; ++k) {
       const ClosedForm::State s = motion.at(h.start + motion.period() / 2 * k / 500);
-      EXPECT_LT(distanceTo(h.curve, s.attitude * s.omega_body), 2e-3 * plane.longest);
+      EXPECT_LT(distanceTo(h.curve, s.attitude * s.omega_principal), 2e-3 * plane.longest);
     }
     if (!h.curve.closed) {
       EXPECT_NEAR(radiusOf(points.back(), plane), h.outer, 1e-9 * plane.longest);

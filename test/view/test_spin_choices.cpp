@@ -65,7 +65,7 @@ TEST(SpinChoices, nearAnAxisIsInItsRegimeByTheClosedForm) {
       const Vector3d start = nearAxis(b.moments, b.omega, keep, Axis::intermediate);
       const ClosedForm flipping(b.moments, Eigen::Quaterniond::Identity(), start);
       const int k = axisOf(b.moments, Axis::intermediate);
-      const Vector3d later = flipping.at(0.5 * flipping.period()).omega_body;
+      const Vector3d later = flipping.at(0.5 * flipping.period()).omega_principal;
       EXPECT_NEAR(later[k] / start[k], -1, 1e-6) << "half a period later it is turned over";
     }
   }
@@ -84,8 +84,8 @@ TEST(SpinChoices, onSeparatrixIsAsNearAsDoublesCome) {
       const int k = axisOf(b.moments, Axis::intermediate);
       EXPECT_GT(start[k] * b.omega[k], 0);
       const double flip = motion.timeToNextFlip(0);
-      EXPECT_LT(std::abs(motion.at(0.2 * flip).omega_body[k]), std::abs(start[k]));
-      EXPECT_LT(motion.at(2 * flip).omega_body[k] * start[k], 0);
+      EXPECT_LT(std::abs(motion.at(0.2 * flip).omega_principal[k]), std::abs(start[k]));
+      EXPECT_LT(motion.at(2 * flip).omega_principal[k] * start[k], 0);
     }
   }
 }

@@ -30,8 +30,8 @@ class ClosedForm {
  public:
   /** The motion at one time. */
   struct State {
-    Quaternion attitude;         ///< R: principal axes → world, unit to roundoff; continuous in t, so of either sign
-    Eigen::Vector3d omega_body;  ///< Ω [rad/s], principal axes
+    Quaternion attitude;  ///< R: principal axes → world, unit to roundoff; continuous in t, so of either sign
+    Eigen::Vector3d omega_principal;  ///< Ω [rad/s], principal axes
   };
 
   /** One state a row: w, x, y, z of the attitude, then Ω₁, Ω₂, Ω₃ [rad/s]. Column by column in memory. */
@@ -40,10 +40,10 @@ class ClosedForm {
   /**
    * @param moments principal moments [kg·m²], positive and finite, in any order, physical or not.
    * @param attitude at t = 0, principal axes → world; of any length but zero, normalised exactly.
-   * @param omega_body at t = 0 [rad/s], principal axes, finite.
+   * @param omega_principal at t = 0 [rad/s], principal axes, finite.
    * Throws std::invalid_argument for anything else.
    */
-  ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude, const Eigen::Vector3d& omega_body);
+  ClosedForm(const Eigen::Vector3d& moments, const Quaternion& attitude, const Eigen::Vector3d& omega_principal);
 
   /**
    * The state at t [s], of either sign. Throws std::invalid_argument when t is not finite. Ω is infinite where it
@@ -127,7 +127,7 @@ class ClosedForm {
 
   Eigen::Vector3d moments_;
   Quaternion attitude_;
-  Eigen::Vector3d omega_body_;
+  Eigen::Vector3d omega_principal_;
   closed_form::Constants constants_;
 };
 

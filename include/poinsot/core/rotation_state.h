@@ -11,12 +11,12 @@ namespace poinsot {
  * world axes because there an attitude error would be amplified by the ratio of the moments.
  */
 struct FreeRotationState {
-  Quaternion attitude = Quaternion::Identity();             ///< R: principal axes → world, unit
-  Eigen::Vector3d momentum_body = Eigen::Vector3d::Zero();  ///< Λ = MΩ [kg·m²/s], principal axes
+  Quaternion attitude = Quaternion::Identity();                  ///< R: principal axes → world, unit
+  Eigen::Vector3d momentum_principal = Eigen::Vector3d::Zero();  ///< Λ = MΩ [kg·m²/s], principal axes
 
   // What compensated summation has left over, below the last bits of the above; zero for methods without it.
   Vector4 attitude_rest = Vector4::Zero();                  ///< in the order of attitude.coeffs()
-  Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();  ///< of momentum_body [kg·m²/s]
+  Eigen::Vector3d momentum_rest = Eigen::Vector3d::Zero();  ///< of momentum_principal [kg·m²/s]
 
   // The L that free motion keeps, for methods that undo the drift of it by rounding (see steppers/restore_momentum.h).
   Eigen::Vector3d kept_momentum = Eigen::Vector3d::Zero();  ///< L in world axes
@@ -33,7 +33,9 @@ struct FreeRotationState {
   void keepMomentum(const Eigen::Vector3d& momentum_world);
 
   /** Ω = M⁻¹Λ [rad/s], principal axes. */
-  Eigen::Vector3d omegaBody(const Eigen::Vector3d& moments) const { return momentum_body.cwiseQuotient(moments); }
+  Eigen::Vector3d omegaPrincipal(const Eigen::Vector3d& moments) const {
+    return momentum_principal.cwiseQuotient(moments);
+  }
   /** L = RΛ [kg·m²/s], world axes. */
   Eigen::Vector3d momentumWorld() const;
 };
@@ -48,10 +50,10 @@ struct RotationState : FreeRotationState {
    * The state at the start of a motion, whose L is the one to keep.
    * @param moments principal moments [kg·m²].
    * @param attitude R: principal axes → world, unit.
-   * @param omega_body Ω [rad/s], principal axes.
+   * @param omega_principal Ω [rad/s], principal axes.
    */
   static RotationState fromOmega(const Eigen::Vector3d& moments, const Quaternion& attitude,
-                                 const Eigen::Vector3d& omega_body);
+                                 const Eigen::Vector3d& omega_principal);
 };
 
 }  // namespace poinsot

@@ -18,7 +18,7 @@ struct OrbitRates {
 };
 
 /** For any |Ω|, also where its square leaves the range of doubles. */
-OrbitRates orbitRates(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body);
+OrbitRates orbitRates(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal);
 
 /** How well a method follows a free body at a step. */
 struct StepJudgement {
@@ -50,10 +50,10 @@ struct StepJudgement {
  *
  * @param method that moves free bodies.
  * @param moments principal moments [kg·m²], valid.
- * @param omega_body at the start [rad/s], principal axes, finite.
+ * @param omega_principal at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
  */
-StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_body,
+StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal,
                         double step);
 
 /**
@@ -64,10 +64,10 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
  * @param method that takes these torques.
  * @param torques that act on the body; its moments are theirs.
  * @param attitude R at the start, principal axes → world, unit.
- * @param omega_body at the start [rad/s], principal axes, finite.
+ * @param omega_principal at the start [rad/s], principal axes, finite.
  * @param step [s], of either sign, finite, not zero.
  */
 StepJudgement judgeStep(const Method& method, const Torques& torques, const Quaternion& attitude,
-                        const Eigen::Vector3d& omega_body, double step);
+                        const Eigen::Vector3d& omega_principal, double step);
 
 }  // namespace poinsot

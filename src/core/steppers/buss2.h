@@ -25,7 +25,7 @@ class Buss2 {
                       .cwiseQuotient(12 * moments)) {}
 
   void step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     const double t0 = (h * inverse_[0]) * p[0], t1 = (h * inverse_[1]) * p[1], t2 = (h * inverse_[2]) * p[2];
     const double r0 = twelfths_[0], r1 = twelfths_[1], r2 = twelfths_[2];
     const double s0 = t0 * t0, s1 = t1 * t1, s2 = t2 * t2;

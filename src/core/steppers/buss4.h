@@ -20,7 +20,7 @@ class Buss4 {
   explicit Buss4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()), euler_(moments) {}
 
   void step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     const Eigen::Vector3d w((h * inverse_[0]) * p[0], (h * inverse_[1]) * p[1], (h * inverse_[2]) * p[2]);
     const Eigen::Vector3d w1 = euler_(w, w), w2 = 2 * euler_(w, w1), w3 = 2 * (euler_(w1, w1) + euler_(w, w2));
     rotate(state, w + 0.5 * w1 + ((1.0 / 6) * w2 + (1.0 / 24) * w3) + w.cross((1.0 / 12) * w1 + (1.0 / 24) * w2));

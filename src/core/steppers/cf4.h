@@ -19,7 +19,7 @@ class Cf4 {
   explicit Cf4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
   void step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     const Eigen::Vector3d p1(p[0], p[1], p[2]), scale = h * inverse_;
     const Eigen::Vector3d k1 = scale.cwiseProduct(p1), p2 = turnedBack(p1, 0.5 * k1);
     const Eigen::Vector3d k2 = scale.cwiseProduct(p2);

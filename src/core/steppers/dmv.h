@@ -43,7 +43,7 @@ class Dmv {
 
   /** @return iterations. */
   int step(FreeRotationState& state, const Plan& plan) const {
-    const double* const p = state.momentum_body.data();
+    const double* const p = state.momentum_principal.data();
     const double n0 = plan.inverse_momentum * p[0], n1 = plan.inverse_momentum * p[1],
                  n2 = plan.inverse_momentum * p[2];
     const double b0 = plan.b[0], b1 = plan.b[1], b2 = plan.b[2];

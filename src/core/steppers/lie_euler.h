@@ -19,7 +19,7 @@ class LieEuler {
   explicit LieEuler(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
   void step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     rotate(state, {(h * inverse_[0]) * p[0], (h * inverse_[1]) * p[1], (h * inverse_[2]) * p[2]});
   }
 

@@ -25,7 +25,7 @@ class Midpoint {
 
   /** @return iterations. */
   int step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     const Eigen::Vector3d p0(p[0], p[1], p[2]), scale = h * inverse_;
     Eigen::Vector3d theta = scale.cwiseProduct(p0);
     double last = std::numeric_limits<double>::infinity();

@@ -56,14 +56,14 @@ class EnergyKeeper {
 
   Gap gap(const FreeRotationState& state, int i) const {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double* const p = state.momentum_body.data();
+    const double* const p = state.momentum_principal.data();
     const double a = p[j] * p[j] * state.kept_inverse_square * difference_[i][j];
     const double b = p[k] * p[k] * state.kept_inverse_square * difference_[i][k];
     return {a + b, std::abs(a) + std::abs(b)};
   }
 
   void restoreAt(FreeRotationState& state, int i, double value) const {
-    double* const p = state.momentum_body.data();
+    double* const p = state.momentum_principal.data();
     double* const rest = state.momentum_rest.data();
     double d[3], slope = 0;
     for (int j = 0; j < 3; ++j) {

@@ -23,7 +23,7 @@ constexpr double kMostRestored = 4e-15;
  */
 inline void restoreMomentum(FreeRotationState& state) {
   double* const q = state.attitude.coeffs().data();  // x, y, z, w
-  double* const p = state.momentum_body.data();
+  double* const p = state.momentum_principal.data();
   double* const rest = state.momentum_rest.data();
   const double* const l = state.kept_momentum.data();
   const double x = q[0], y = q[1], z = q[2], w = q[3], p0 = p[0], p1 = p[1], p2 = p[2];

@@ -28,7 +28,7 @@ class Rk4 {
 
   void step(FreeRotationState& state, double h) const {
     Eigen::Vector4d q = state.attitude.coeffs();
-    const Eigen::Vector3d p = state.momentum_body;
+    const Eigen::Vector3d p = state.momentum_principal;
     Eigen::Vector4d dq1, dq2, dq3, dq4;
     Eigen::Vector3d dp1, dp2, dp3, dp4;
     derivative(q, p, dq1, dp1);
@@ -38,7 +38,7 @@ class Rk4 {
     const Eigen::Vector4d increment = (h / 6.0) * (dq1 + 2.0 * (dq2 + dq3) + dq4);
     moveAttitude(q, state.attitude_rest, increment);
     state.attitude.coeffs() = q;
-    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest,
+    addCompensated<Eigen::Vector3d>(state.momentum_principal, state.momentum_rest,
                                     (h / 6.0) * (dp1 + 2.0 * (dp2 + dp3) + dp4));
   }
 

@@ -18,7 +18,7 @@ class Rkmk4 {
   explicit Rkmk4(const Eigen::Vector3d& moments) : inverse_(moments.cwiseInverse()) {}
 
   void step(FreeRotationState& state, double h) const {
-    const Eigen::Vector3d& p = state.momentum_body;
+    const Eigen::Vector3d& p = state.momentum_principal;
     const Eigen::Vector3d p0(p[0], p[1], p[2]), scale = h * inverse_;
     const Eigen::Vector3d k1 = scale.cwiseProduct(p0);
     const Eigen::Vector3d k2 = rate(scale, p0, 0.5 * k1);

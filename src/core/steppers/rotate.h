@@ -17,7 +17,7 @@ namespace poinsot::steppers {
  */
 inline void rotate(FreeRotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
   const double v0 = theta[0], v1 = theta[1], v2 = theta[2];
-  double* const p = state.momentum_body.data();
+  double* const p = state.momentum_principal.data();
   double* const rest = state.momentum_rest.data();
   const double p0 = p[0], p1 = p[1], p2 = p[2];
   // θ×Λ and θ×(θ×Λ) do not wait for c and s.

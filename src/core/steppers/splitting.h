@@ -74,7 +74,7 @@ class Splitting {
 
   void step(FreeRotationState& state, const Plan& plan) const {
     // One turn about L, as seen from the body along Λ, which it does not move.
-    const double* const p = state.momentum_body.data();
+    const double* const p = state.momentum_principal.data();
     const Eigen::Vector3d theta(plan.rate * p[0], plan.rate * p[1], plan.rate * p[2]);
     turnAttitude(state, theta, plan.about_momentum);
     constexpr int na = Composition::kA.size(), nb = Composition::kB.size();
@@ -102,7 +102,7 @@ class Splitting {
   static void turn(FreeRotationState& state, int i, double rate) {
     static constexpr int kNext[] = {1, 2, 0};
     const int j = kNext[i], k = kNext[j];
-    double* const p = state.momentum_body.data();
+    double* const p = state.momentum_principal.data();
     double* const rest = state.momentum_rest.data();
     const double half = rate * p[i];
     const HalfTurn t = halfTurn({2 * half, 0, 0});

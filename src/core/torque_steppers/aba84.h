@@ -32,7 +32,7 @@ class Aba84 final : public TorqueStepper {
       const Eigen::Vector3d torque =
           torques().at(t + elapsed, constant, rotation.attitude, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
       const Eigen::Vector3d impulse = (kick * h) * torque;
-      addCompensated<Eigen::Vector3d>(rotation.momentum_body, rotation.momentum_rest, impulse);
+      addCompensated<Eigen::Vector3d>(rotation.momentum_principal, rotation.momentum_rest, impulse);
       inlined::keepMomentum(rotation, rotation.kept_momentum + rotation.attitude * impulse);
     }
     work += free_->advanceFrom(rotation, 0, kA[0] * h);

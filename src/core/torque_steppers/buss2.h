@@ -19,17 +19,17 @@ class Buss2 final : public TorqueStepper {
  protected:
   Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const override {
     const Eigen::Vector3d& moments = torques().moments();
-    const Eigen::Vector3d omega = state.omegaBody(moments);
+    const Eigen::Vector3d omega = state.omegaPrincipal(moments);
     const Eigen::Vector3d torque = torques().at(t, constant, state.attitude, omega, state.slug_omega);
     const Eigen::Vector3d slug_rate = torques().slugAcceleration(omega, state.slug_omega);
-    const Eigen::Vector3d acceleration = (torque + state.momentum_body.cross(omega)).cwiseQuotient(moments);
+    const Eigen::Vector3d acceleration = (torque + state.momentum_principal.cross(omega)).cwiseQuotient(moments);
 
-    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest, (0.5 * h) * torque);
+    addCompensated<Eigen::Vector3d>(state.momentum_principal, state.momentum_rest, (0.5 * h) * torque);
     steppers::rotate(state, h * omega + (0.5 * h * h) * acceleration + (h * h * h / 12) * acceleration.cross(omega));
 
     const Eigen::Vector3d foreseen = omega + h * acceleration, foreseen_slug = state.slug_omega + h * slug_rate;
     const Eigen::Vector3d second = torques().at(t + h, constant, state.attitude, foreseen, foreseen_slug);
-    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest, (0.5 * h) * second);
+    addCompensated<Eigen::Vector3d>(state.momentum_principal, state.momentum_rest, (0.5 * h) * second);
     if (torques().slug()) {
       const Eigen::Vector3d rate = slug_rate + torques().slugAcceleration(foreseen, foreseen_slug);
       addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest, (0.5 * h) * rate);

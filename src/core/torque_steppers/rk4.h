@@ -14,7 +14,7 @@ class Rk4 final : public TorqueStepper {
 
  protected:
   Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const override {
-    const Point start{state.attitude.coeffs(), state.momentum_body, state.slug_omega};
+    const Point start{state.attitude.coeffs(), state.momentum_principal, state.slug_omega};
     const Point k1 = derivative(start, t, constant);
     const Point k2 = derivative(start.moved(0.5 * h, k1), t + 0.5 * h, constant);
     const Point k3 = derivative(start.moved(0.5 * h, k2), t + 0.5 * h, constant);
@@ -24,7 +24,7 @@ class Rk4 final : public TorqueStepper {
     steppers::moveAttitude(q, state.attitude_rest,
                            sixth * (k1.attitude + 2.0 * (k2.attitude + k3.attitude) + k4.attitude));
     state.attitude.coeffs() = q;
-    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest,
+    addCompensated<Eigen::Vector3d>(state.momentum_principal, state.momentum_rest,
                                     sixth * (k1.momentum + 2.0 * (k2.momentum + k3.momentum) + k4.momentum));
     if (torques().slug()) {
       addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest,

@@ -59,13 +59,13 @@ class Taylor final : public TorqueStepper {
     if (is_small) return add(increment, state);
     if (halvings > 0) {
       stepOrHalves(state, t, 0.5 * h, constant, halvings - 1, work);
-      if (state.momentum_body.allFinite()) {
+      if (state.momentum_principal.allFinite()) {
         stepOrHalves(state, t + 0.5 * h, 0.5 * h, constant, halvings - 1, work);
       }
       return;
     }
     // It moves faster than any step can follow, or is not finite: whoever looks at it is told so.
-    state.momentum_body.setConstant(std::numeric_limits<double>::quiet_NaN());
+    state.momentum_principal.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
   taylor::Start start(const RotationState& state, double t, const Torques::Constant& constant) const {
@@ -73,7 +73,7 @@ class Taylor final : public TorqueStepper {
     const Eigen::Quaterniond back = state.attitude.conjugate();
     const auto set = [](double* to, const Eigen::Vector3d& v) { Eigen::Vector3d::Map(to) = v; };
     Eigen::Vector4d::Map(out.attitude) = state.attitude.coeffs();
-    set(out.omega, state.omegaBody(torques().moments()));
+    set(out.omega, state.omegaPrincipal(torques().moments()));
     set(out.torque, constant.body);
     int i = 0;
     if (torques().hasWorldConstant()) set(out.fields[i++], back * constant.world);
@@ -91,7 +91,8 @@ class Taylor final : public TorqueStepper {
     steppers::moveAttitude(q, state.attitude_rest, Eigen::Map<const Eigen::Vector4d>(increment.attitude));
     state.attitude.coeffs() = q;
     const Eigen::Map<const Eigen::Vector3d> omega(increment.omega), slug(increment.slug_omega);
-    addCompensated<Eigen::Vector3d>(state.momentum_body, state.momentum_rest, torques().moments().cwiseProduct(omega));
+    addCompensated<Eigen::Vector3d>(state.momentum_principal, state.momentum_rest,
+                                    torques().moments().cwiseProduct(omega));
     if (body_.slug) addCompensated<Eigen::Vector3d>(state.slug_omega, state.slug_rest, slug);
   }
 

@@ -68,7 +68,7 @@ void print(const MotionState& state) {
 
 void print(const RotationState& state) {
   print("attitude", state.attitude);
-  print("momentum_body", state.momentum_body);
+  print("momentum_principal", state.momentum_principal);
   print("attitude_rest", state.attitude_rest);
   print("momentum_rest", state.momentum_rest);
   print("kept_momentum", state.kept_momentum);

@@ -18,10 +18,10 @@ struct Flips {
  * A flip is the instant at which Λ₂, along the axis of intermediate moment, changes its sign, of a body whose axis of
  * intermediate moment really swings from one side of L to the other: from less than 45° off L to less than 45° off −L.
  * That is, the largest |Λ₂|/|Λ| along the polhode is over √½. A stable spin that only wobbles has none; a body on the
- * separatrix has one in all of time, any other one every half period. For I₁ < I₂ < I₃ and a polhode about axis a
+ * separatrix has one in all of time, any other one every half period. For μ₁ < μ₂ < μ₃ and a polhode about axis a
  * (1 or 3), from F = |L|² and E:
  *
- *     max Λ₂²/F = I₂ |F − 2E I_a| / (F |I₂ − I_a|).
+ *     max Λ₂²/F = μ₂ |F − 2E μ_a| / (F |μ₂ − μ_a|).
  *
  * @param t [s]; throws std::invalid_argument when it is not finite.
  * @param direction of play: negative backwards, else forwards.

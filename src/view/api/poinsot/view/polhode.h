@@ -37,7 +37,7 @@ struct Polhode {
  * curve turns, and lie where it meets the planes of symmetry, where the corners of a polhode near the separatrix are.
  *
  * Equal moments and zero components are tested exactly. Otherwise the sign of
- *   F − 2E I₂ = I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁²,   I₁ < I₂ < I₃,
+ *   F − 2E μ₂ = μ₃(μ₃−μ₂)Ω₃² − μ₁(μ₂−μ₁)Ω₁²,   μ₁ < μ₂ < μ₃,
  * decides; where roundoff makes it wrong the picture is the same.
  *
  * @param moments [kg·m²], principal, positive, in any order; the triangle inequality is not needed.

@@ -8,7 +8,7 @@
 namespace poinsot::view {
 
 /**
- * The separatrix on the energy ellipsoid of E: the two ellipses F = 2E I₂ that cross at the ends of the intermediate
+ * The separatrix on the energy ellipsoid of E: the two ellipses F = 2E μ₂ that cross at the ends of the intermediate
  * axis and part the polhodes about the smallest from those about the largest moment.
  *
  * Two closed curves; none when two moments are equal or E is zero.

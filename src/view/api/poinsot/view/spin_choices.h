@@ -35,7 +35,7 @@ Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& 
                          Axis axis);
 
 /**
- * On the separatrix, I₃(I₃−I₂)Ω₃² = I₁(I₂−I₁)Ω₁², 15° off the end of the intermediate axis that it leaves: about as
+ * On the separatrix, μ₃(μ₃−μ₂)Ω₃² = μ₁(μ₂−μ₁)Ω₁², 15° off the end of the intermediate axis that it leaves: about as
  * near to it as doubles come, so that the body flips once and, roundoff permitting, not again for a long time. Throws
  * std::invalid_argument when two moments are equal: there is none.
  */
