@@ -98,7 +98,7 @@ class TorquedConstruction : public Part {
     for (const Picture& picture : subject.pictures()) appendCurves(subject, picture, polhode, separatrix, canvas);
   }
 
-  void sendAllNext() override { curves_.sendNext(); }
+  void sendAllNext() override { curves_.reset(); }
 
  private:
   void remove(const Subject& subject, Canvas& canvas) {

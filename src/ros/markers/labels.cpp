@@ -74,8 +74,8 @@ class Words : public Part {
   void clearTrail() override { flips_cadence_.reset(); }
 
   void sendAllNext() override {
-    figures_cadence_.sendNext();
-    flips_cadence_.sendNext();
+    figures_cadence_.reset();
+    flips_cadence_.reset();
   }
 
  private:

@@ -60,10 +60,7 @@ class Cadence {
     if (out) sent_ = now;
     return out;
   }
-  void sendNext() {
-    if (sent_) sent_ = 0;
-  }
-  void reset() { sent_.reset(); }
+  void reset() { sent_.reset(); }  ///< it is due at once
 
  private:
   session::Nanoseconds pause_;

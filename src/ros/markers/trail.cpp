@@ -103,7 +103,7 @@ class Path : public Trail {
     cadence_.reset();
   }
 
-  void sendAllNext() override { cadence_.sendNext(); }
+  void sendAllNext() override { cadence_.reset(); }
 
  private:
   /** The pieces before the last: those of today where the size has changed, else one in turn, for who came later. */
@@ -141,10 +141,8 @@ class Path : public Trail {
 }  // namespace
 
 std::unique_ptr<Part> makeTrail(const Subject& subject, const Motion& motion) {
-  const double metres =
-      view::pictureScale(subject.inertia.moments(), subject.omega_principal).metres_per_radian_per_second;
   const double share = motion.inClosedForm() ? kTrailShare : kStrayTrailShare;
-  return std::make_unique<Trail>(lengthOf(subject.polhode) * (share * metres));
+  return std::make_unique<Trail>(lengthOf(subject.polhode) * (share * subject.metres()));
 }
 
 std::unique_ptr<Part> makePath(bool rides) {
