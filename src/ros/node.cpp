@@ -11,7 +11,7 @@
 #include "poinsot/cost/cpu_time.h"
 #include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/conversions.h"
-#include "poinsot/ros/meshes.h"
+#include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/scene_list.h"
 #include "poinsot/ros/session_text.h"

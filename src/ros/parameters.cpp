@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "poinsot/ros/conversions.h"
-#include "poinsot/ros/meshes.h"
+#include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/scene/reader.h"
 

@@ -8,7 +8,7 @@
 
 #include "poinsot/ros/body_messages.h"
 #include "poinsot/ros/conversions.h"
-#include "poinsot/ros/marker_tracker.h"
+#include "poinsot/ros/markers/marker_tracker.h"
 #include "poinsot/ros/names.h"
 
 namespace poinsot::node {

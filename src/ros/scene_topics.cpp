@@ -25,7 +25,7 @@ const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new
 const ros::WallDuration kPreviewPause(0.05);
 const ros::WallDuration kYouth(10);  // in which viewers of a node that was restarted connect again
 
-BodyPicture::Figures figuresOf(const session::Body& body) {
+Figures figuresOf(const session::Body& body) {
   return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
 }
 

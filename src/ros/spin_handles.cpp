@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "markers/marker_factory.h"
 #include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/conversions.h"
-#include "poinsot/ros/marker_factory.h"
+#include "poinsot/ros/markers/palette.h"
 #include "poinsot/ros/names.h"
-#include "poinsot/ros/palette.h"
 
 namespace poinsot::node {
 namespace {
@@ -32,7 +32,7 @@ Marker ball() {
   out.type = Marker::TRIANGLE_LIST;
   out.pose.orientation.w = 1;
   out.scale = toVector3({1, 1, 1});
-  out.color = palette::translucent(palette::omega(), kAlpha);
+  out.color = palette::translucent(palette::kOmega, kAlpha);
   const auto point = [](int parallel, int meridian) {
     const double polar = M_PI * parallel / kParallels, around = 2 * M_PI * meridian / kMeridians;
     return toPoint(

@@ -15,7 +15,7 @@
 #include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/resolve_accuracy.h"
 #include "poinsot/ros/interrupt.h"
-#include "poinsot/ros/meshes.h"
+#include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/node.h"
 #include "poinsot/scene/reader.h"
 #include "standard_output.h"

@@ -65,8 +65,8 @@ MUTATIONS = [
     ("a torque of the world taken for one of the body", "src/core/torque_steppers/taylor.h",
      "set(out.fields[i++], back * constant.world);", "set(out.fields[i++], constant.world);",
      r"^FAIL +/pushed +(L = L0 \+ torque t|dL/dt = torque)"),
-    ("ellipsoids scaled by radius instead of diameter", "src/ros/body_picture.cpp",
-     "m.scale = toVector3(2 * metres * semi_axes);", "m.scale = toVector3(metres * semi_axes);",
+    ("ellipsoids scaled by radius instead of diameter", "src/ros/markers/construction.cpp",
+     "diameters = 2 * metres * semi_axes;", "diameters = metres * semi_axes;",
      r"(radius|half)"),
 ]
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/ros/body_picture.h"
+#include "poinsot/ros/markers/body_picture.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/session/body.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/ros/marker_tracker.h"
+#include "poinsot/ros/markers/marker_tracker.h"
 #include "poinsot/session/session.h"
 
 namespace poinsot::node {

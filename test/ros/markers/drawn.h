@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "poinsot/ros/body_messages.h"
-#include "poinsot/ros/body_picture.h"
+#include "poinsot/ros/markers/body_picture.h"
 #include "poinsot/session/moving_body.h"
 
 /** What is drawn of one body, in numbers: from its markers and its tf alone. */

@@ -1,7 +1,8 @@
-#include "poinsot/ros/meshes.h"
+#include "poinsot/ros/markers/meshes.h"
 
 #include <ros/package.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 #include <string>
 
@@ -10,12 +11,10 @@
 namespace poinsot::node {
 namespace {
 
+using boost::algorithm::starts_with;
+
 const std::string kPackage = "package://";
 const std::string kFile = "file://";
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 /** package://<name>/<path> */
 struct PackageFile {
@@ -38,7 +37,7 @@ struct PackageFile {
 
 void requireMeshes(const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies) {
-    if (!body.appearance || !startsWith(body.appearance->mesh, kPackage)) continue;
+    if (!body.appearance || !starts_with(body.appearance->mesh, kPackage)) continue;
     const PackageFile file(body.appearance->mesh);
     if (file.folder.empty()) refuse(*body.appearance, "there is no package " + file.package + " in ROS_PACKAGE_PATH");
     std::error_code ignored;
@@ -48,9 +47,9 @@ void requireMeshes(const scene::Scene& scene) {
 }
 
 std::string meshAddress(const std::string& mesh) {
-  const std::string path = startsWith(mesh, kPackage) ? PackageFile(mesh).path
-                           : startsWith(mesh, kFile)  ? mesh.substr(kFile.size())
-                                                      : "";
+  const std::string path = starts_with(mesh, kPackage) ? PackageFile(mesh).path
+                           : starts_with(mesh, kFile)  ? mesh.substr(kFile.size())
+                                                       : "";
   if (path.find(' ') == std::string::npos) return mesh;
   std::string address = kFile;
   for (const char c : path) {

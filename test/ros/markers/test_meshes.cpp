@@ -1,7 +1,7 @@
 // The addresses of meshes, as RViz takes them.
 #include <gtest/gtest.h>
 
-#include "poinsot/ros/meshes.h"
+#include "poinsot/ros/markers/meshes.h"
 
 namespace poinsot::node {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "poinsot/ros/palette.h"
+#include "poinsot/ros/markers/palette.h"
 
 namespace poinsot::node {
 namespace {
@@ -36,28 +36,28 @@ TEST(Palette, contrastIsWhatWcagSays) {
 
 TEST(Palette, textReadsOnDarkAndOnLight) {
   for (const ColorRGBA& c :
-       {palette::label(), palette::omega(), palette::angularMomentum(), palette::torque(), palette::gravity()}) {
+       {palette::kLabel, palette::kOmega, palette::kAngularMomentum, palette::kTorque, palette::kGravity}) {
     EXPECT_GE(contrast(c, kDark), 3) << c;
     EXPECT_GE(contrast(c, kLight), 3) << c;
   }
   // White would not.
-  EXPECT_LT(contrast(palette::polhode(), kLight), 2);
+  EXPECT_LT(contrast(palette::kPolhode, kLight), 2);
 }
 
 TEST(Palette, arrowsAndLinesThatLeaveTheEllipsoidsDoSoToo) {
-  for (const ColorRGBA& c : {palette::omega(), palette::angularMomentum(), palette::torque(), palette::gravity(),
-                             palette::path(), palette::pivot(), palette::bodyCone(), palette::spaceCone()}) {
+  for (const ColorRGBA& c : {palette::kOmega, palette::kAngularMomentum, palette::kTorque, palette::kGravity,
+                             palette::kPath, palette::kPivot, palette::kBodyCone, palette::kSpaceCone}) {
     EXPECT_GE(contrast(c, kDark), 2) << c;
     EXPECT_GE(contrast(c, kLight), 2) << c;
   }
 }
 
 TEST(Palette, linesReadOnBothEllipsoids) {
-  for (const ColorRGBA& surface : {palette::energy(), palette::momentumEllipsoid()}) {
-    EXPECT_GE(contrast(palette::polhode(), surface), 2);
-    EXPECT_GE(contrast(palette::separatrix(), surface), 2);
+  for (const ColorRGBA& surface : {palette::kEnergy, palette::kMomentumEllipsoid}) {
+    EXPECT_GE(contrast(palette::kPolhode, surface), 2);
+    EXPECT_GE(contrast(palette::kSeparatrix, surface), 2);
   }
-  EXPECT_GE(contrast(palette::polhodeFamily(), palette::momentumEllipsoid()), 2);
+  EXPECT_GE(contrast(palette::kPolhodeFamily, palette::kMomentumEllipsoid), 2);
 }
 
 /** As somebody sees it who lacks one kind of cone: Viénot, Brettel & Mollon 1999; linear RGB. */
@@ -70,10 +70,10 @@ Eigen::Vector3d without(const ColorRGBA& c, bool red) {
 }
 
 TEST(Palette, theColourBlindTellTheQuantitiesApart) {
-  const std::pair<const char*, ColorRGBA> quantities[] = {{"energy", palette::energy()},
-                                                          {"momentum ellipsoid", palette::momentumEllipsoid()},
-                                                          {"omega", palette::omega()},
-                                                          {"L", palette::angularMomentum()}};
+  const std::pair<const char*, ColorRGBA> quantities[] = {{"energy", palette::kEnergy},
+                                                          {"momentum ellipsoid", palette::kMomentumEllipsoid},
+                                                          {"omega", palette::kOmega},
+                                                          {"L", palette::kAngularMomentum}};
   for (const bool red : {false, true}) {
     for (const auto& a : quantities) {
       for (const auto& b : quantities) {

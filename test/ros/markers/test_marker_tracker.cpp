@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "poinsot/ros/body_picture.h"
-#include "poinsot/ros/marker_tracker.h"
+#include "poinsot/ros/markers/body_picture.h"
+#include "poinsot/ros/markers/marker_tracker.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 #include "poinsot/session/moving_body.h"
@@ -97,8 +97,7 @@ TEST(MarkerTracker, leftoversHoldAllThatIsEverDrawn) {
         body.method = body.effects.empty() ? "rk4" : "taylor8";
         body.step = 0.01;
       }
-      std::map<std::string, int> spaces;
-      for (const MarkerSpace& space : markerSpaces(body.name)) spaces[space.ns] = space.ids;
+      std::map<std::string, int> spaces = markerSpaces(body.name);
       session::MovingBody moving(body);
       BodyPicture picture(body, moving.motion(), names::Frames("", body.name), BodyPicture::Detail::pictures);
       MarkerArray markers;
@@ -117,7 +116,7 @@ TEST(MarkerTracker, leftoversHoldAllThatIsEverDrawn) {
   }
   EXPECT_GT(scenes, 15);
   std::set<std::string> all;
-  for (const MarkerSpace& space : markerSpaces("")) all.insert(space.ns);
+  for (const auto& [ns, ids] : markerSpaces("")) all.insert(ns);
   EXPECT_EQ(drawn_in, all) << "namespaces in which nothing is ever drawn need no deletions";
 }
 

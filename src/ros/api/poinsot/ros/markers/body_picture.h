@@ -1,0 +1,76 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "poinsot/core/motion.h"
+#include "poinsot/ros/markers/marker_tracker.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/scene/scene.h"
+#include "poinsot/session/tick.h"
+#include "poinsot/view/picture_frame.h"
+
+namespace poinsot::node {
+
+namespace parts {
+class Part;
+struct Subject;
+}  // namespace parts
+
+/** What a label says of a body: how it compares with the truth, or, where there is none, its energy. */
+struct Figures {
+  double attitude_error;  ///< [rad]; NaN under torques
+  double energy_drift;    ///< relative
+  double cost;            ///< CPU s per simulated s; NaN: not measured, and not shown
+  double kinetic_energy;  ///< [J]
+};
+
+/**
+ * One body's markers: the body itself, the two pictures of Poinsot's construction, and what shows its effects. A list
+ * of parts, of which there are others for a body under torques than for a free one (body_picture.cpp).
+ */
+class BodyPicture {
+ public:
+  /** How much is worked out beforehand. */
+  enum class Detail {
+    none,     ///< nobody will look: frame() is that of the start
+    pictures  ///< how large the pictures of a body under torques will get as well (view/picture_bounds.h)
+  };
+
+  /** @param keep draws it as large as another picture of the body, and turned alike; else it is laid out anew. */
+  BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
+              const std::optional<view::PictureFrame>& keep = std::nullopt);
+  ~BodyPicture();
+
+  /** How it stands and how large it is. */
+  const view::PictureFrame& frame() const;
+
+  /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
+  void appendStatic(visualization_msgs::MarkerArray& out) const;
+
+  /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */
+  void appendFigures(const session::Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
+
+  /** What moves, at one tick. The trail begins anew with each segment. */
+  void appendMoving(const session::Tick& tick, const Motion& motion, const MotionState& state,
+                    visualization_msgs::MarkerArray& out);
+
+  /** Forgets the trail: nobody looked. */
+  void clearTrail();
+
+  /** The next markers hold also what is sent only now and then. */
+  void sendAllNext();
+
+ private:
+  std::unique_ptr<parts::Subject> subject_;
+  std::vector<std::unique_ptr<parts::Part>> parts_;
+  mutable std::vector<visualization_msgs::Marker> still_;  ///< made when it is first asked for
+  std::optional<std::uint32_t> segment_;                   ///< of the trail
+  Canvas canvas_;                                          ///< of what moves
+};
+
+}  // namespace poinsot::node

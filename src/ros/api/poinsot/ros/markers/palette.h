@@ -1,0 +1,48 @@
+#pragma once
+
+#include <std_msgs/ColorRGBA.h>
+
+/**
+ * What each colour means, the same in every picture; told apart by the colour-blind too (after Okabe and Ito), and on
+ * dark and light backgrounds: by WCAG's measure text has a contrast of 3:1 to either, arrows and lines that leave the
+ * ellipsoids 2:1. So they are of middling brightness. White and pale lines stay on the ellipsoids.
+ */
+namespace poinsot::node::palette {
+
+inline std_msgs::ColorRGBA colour(float r, float g, float b) {
+  std_msgs::ColorRGBA c;
+  c.r = r;
+  c.g = g;
+  c.b = b;
+  c.a = 1;
+  return c;
+}
+
+inline std_msgs::ColorRGBA translucent(std_msgs::ColorRGBA c, float alpha) {
+  c.a = alpha;
+  return c;
+}
+
+inline const std_msgs::ColorRGBA kEnergy = colour(0.95f, 0.62f, 0.05f);
+inline const std_msgs::ColorRGBA kMomentumEllipsoid = colour(0.10f, 0.42f, 0.80f);
+inline const std_msgs::ColorRGBA kPolhode = colour(1, 1, 1);
+inline const std_msgs::ColorRGBA kMirrorPolhode = colour(0.72f, 0.74f, 0.78f);
+inline const std_msgs::ColorRGBA kSeparatrix = colour(0.18f, 0.20f, 0.24f);
+inline const std_msgs::ColorRGBA kOmega = colour(0.93f, 0.13f, 0.47f);
+inline const std_msgs::ColorRGBA kAngularMomentum = colour(0.06f, 0.56f, 0.38f);
+inline const std_msgs::ColorRGBA kPolhodeFamily = colour(0.62f, 0.80f, 0.97f);
+inline const std_msgs::ColorRGBA kInvariablePlane = translucent(colour(0.56f, 0.62f, 0.68f), 0.35f);
+inline const std_msgs::ColorRGBA kBodyCone = translucent(colour(0.80f, 0.36f, 0.22f), 0.30f);
+inline const std_msgs::ColorRGBA kSpaceCone = translucent(kAngularMomentum, 0.30f);
+/** Where Ω came from, under torques. */
+inline const std_msgs::ColorRGBA kPath = colour(0.90f, 0.50f, 0.68f);
+inline const std_msgs::ColorRGBA kTorque = colour(0.62f, 0.49f, 0.02f);
+inline const std_msgs::ColorRGBA kGravity = colour(0.16f, 0.51f, 0.74f);
+inline const std_msgs::ColorRGBA kPivot = colour(0.60f, 0.61f, 0.64f);
+inline const std_msgs::ColorRGBA kLabel = colour(0.47f, 0.50f, 0.54f);
+
+/** Parts of a body in turn, so that one can see it turn. */
+inline const std_msgs::ColorRGBA kParts[] = {colour(0.62f, 0.66f, 0.71f), colour(0.88f, 0.89f, 0.90f),
+                                             colour(0.80f, 0.36f, 0.22f)};
+
+}  // namespace poinsot::node::palette

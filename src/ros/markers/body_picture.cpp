@@ -1,0 +1,151 @@
+#include "poinsot/ros/markers/body_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "markers/layout.h"
+#include "markers/parts.h"
+#include "poinsot/ros/conversions.h"
+
+namespace poinsot::node {
+namespace {
+
+using namespace parts;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+using Parts = std::vector<std::unique_ptr<Part>>;
+using Still = void (*)(const Subject&, Canvas&);
+using Moving = void (*)(const Subject&, const Now&, Canvas&);
+
+/** A part that remembers nothing. */
+class Plain : public Part {
+ public:
+  explicit Plain(Still still) : still_(still) {}
+  explicit Plain(Moving moving) : moving_(moving) {}
+  void appendStatic(const Subject& subject, Canvas& canvas) const override {
+    if (still_) still_(subject, canvas);
+  }
+  void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
+    if (moving_) moving_(subject, now, canvas);
+  }
+
+ private:
+  Still still_ = nullptr;
+  Moving moving_ = nullptr;
+};
+
+template <class... Arguments>
+void add(Parts& list, void (*append)(Arguments...)) {
+  list.push_back(std::make_unique<Plain>(append));
+}
+
+/** E and MΩ are constant, and so are the ellipsoids and curves. At rest there are none. */
+void addFree(const Subject& subject, const Motion& motion, Parts& list) {
+  if (subject.start.omega_body.isZero(0)) return;
+  for (const Still still : {appendPictureTitles, appendConstruction, appendPolhodeFamily, appendRolling, appendCones}) {
+    add(list, still);
+  }
+  add(list, appendSpin);
+  list.push_back(makeTrail(subject, motion));
+  if (motion.conservesMomentum()) {
+    add(list, appendStillMomentum);
+  } else {
+    add(list, appendMomentum);
+  }
+}
+
+/** Ellipsoids and curves are those of the moment, and move. */
+void addTorqued(const Subject& subject, const Motion& motion, Parts& list) {
+  add(list, appendPictureTitles);
+  add(list, appendTorquedMomentum);
+  list.push_back(makePath(!isPushed(motion)));
+  list.push_back(makeTorquedConstruction());
+  if (isPushed(motion)) add(list, appendTorque);
+  if (subject.weight) {
+    add(list, appendPivot);
+    if (!subject.weight->centre_of_mass.isZero(0)) list.push_back(makeWay());
+    add(list, appendWeight);
+  }
+  if (motion.torques()->gradient()) add(list, appendOrbit);
+}
+
+Parts partsOf(const Subject& subject, const Motion& motion) {
+  Parts list;
+  list.push_back(makeWords(subject, motion.setup()));
+  add(list, appendShape);
+  add(list, appendBodyTitle);
+  (motion.torques() ? addTorqued : addFree)(subject, motion, list);
+  return list;
+}
+
+/** Says anew how the pictures stand and how large they are. */
+void layOut(Subject& subject, const Motion& motion, BodyPicture::Detail detail) {
+  view::PictureFrame& out = subject.frame;
+  if (motion.torques() && detail == BodyPicture::Detail::pictures) {
+    out.bounds = view::pictureBoundsOf(motion);
+    out.scale = view::pictureScale(out.bounds.semi_axis, out.bounds.momentum);
+  }
+  const PrincipalInertia& inertia = subject.inertia;
+  out.layout = view::layoutOf(subject.start.position, subject.reach, inertia.moments(), inertia.axes(), subject.polhode,
+                              subject.omega_principal, inertia.toPrincipal(out.bounds.omega_later));
+  out.title_depth =
+      std::max({layout::kTitleDepth, subject.reach + layout::kBelowShape,
+                std::min(effectsDepth(subject, motion), layout::kDeepestTitle), beadSymbolDepth(subject)});
+}
+
+}  // namespace
+
+BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const names::Frames& frames, Detail detail,
+                         const std::optional<view::PictureFrame>& keep)
+    : subject_(std::make_unique<Subject>(body, motion, frames)) {
+  if (keep) {
+    subject_->frame = *keep;
+  } else {
+    layOut(*subject_, motion, detail);
+  }
+  parts_ = partsOf(*subject_, motion);
+}
+
+BodyPicture::~BodyPicture() = default;
+
+const view::PictureFrame& BodyPicture::frame() const {
+  return subject_->frame;
+}
+
+void BodyPicture::appendStatic(MarkerArray& out) const {
+  if (still_.empty()) {
+    Canvas canvas;
+    for (const auto& part : parts_) part->appendStatic(*subject_, canvas);
+    still_ = canvas.take();
+  }
+  out.markers.insert(out.markers.end(), still_.begin(), still_.end());
+}
+
+void BodyPicture::appendMoving(const session::Tick& tick, const Motion& motion, const MotionState& state,
+                               MarkerArray& out) {
+  if (segment_ != tick.segment) {
+    segment_ = tick.segment;
+    clearTrail();
+  }
+  for (const auto& part : parts_) part->appendMoving(*subject_, {tick, motion, state}, canvas_);
+  for (Marker& marker : canvas_.take()) {
+    marker.header.stamp = toTime(tick.stamp);
+    out.markers.push_back(std::move(marker));
+  }
+}
+
+void BodyPicture::appendFigures(const session::Tick& tick, const Figures& figures, MarkerArray& out) {
+  for (const auto& part : parts_) part->appendFigures(*subject_, tick, figures, canvas_);
+  for (Marker& marker : canvas_.take()) out.markers.push_back(std::move(marker));
+}
+
+void BodyPicture::clearTrail() {
+  for (const auto& part : parts_) part->clearTrail();
+}
+
+void BodyPicture::sendAllNext() {
+  for (const auto& part : parts_) part->sendAllNext();
+}
+
+}  // namespace poinsot::node

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "markers/layout.h"
+#include "markers/parts.h"
+#include "poinsot/ros/conversions.h"
+#include "poinsot/ros/markers/palette.h"
+#include "poinsot/view/picture_bounds.h"
+#include "poinsot/view/trail.h"
+
+namespace poinsot::node::parts {
+namespace {
+
+constexpr double kHiddenShare = 0.5;  // of the body, in which an arrow that is no longer ends unseen
+constexpr double kMostBeyond = 1.2;   // times the length of the largest torque that was expected
+constexpr double kPivotDiameter = 0.13;
+constexpr double kRodDiameter = 0.05;
+constexpr double kWayLength = 9;  // m
+constexpr double kWaySpacing = 0.02;
+constexpr double kWayWidth = 0.022;
+
+// Ids within <body>/torque and <body>/gravity.
+enum TorqueId { kAtBody, kAtMomentum };
+enum GravityId { kPivot, kRod, kWeight, kToCentre, kWay };
+
+/** Beyond the tip of an arrow, and to its side for a viewer at +x where it points at him. */
+Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d seen(0, direction.y(), direction.z());
+  const Eigen::Vector3d to_side = seen.norm() > 0.3 ? seen.normalized() : Eigen::Vector3d(0, -0.7, 0.7);
+  return tip + layout::kBesideEffect * to_side;
+}
+
+/** An arrow in <body>/gravity, and its name. */
+void putGravity(const MarkerFactory& factory, GravityId id, LabelId symbol_id, const Eigen::Vector3d& from,
+                const Eigen::Vector3d& direction, double length, const char* symbol, Canvas& canvas) {
+  const Eigen::Vector3d tip = from + length * direction;
+  canvas.put(factory.arrow(factory.ns(names::kGravity), id, names::kWorld, from, tip, palette::kGravity));
+  canvas.put(
+      factory.text(symbol_id, names::kWorld, beyond(tip, direction), symbol, layout::kSymbolHeight, palette::kGravity));
+}
+
+class Way : public Part {
+ public:
+  void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
+    const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
+    way_.add(now.state.position + now.state.attitude * (centre + subject.shape_radius * centre.stableNormalized()));
+    Marker way = subject.factory.marker(subject.factory.ns(names::kGravity), kWay, Marker::LINE_STRIP, names::kWorld,
+                                        {kWayWidth, 0, 0}, palette::kPath);
+    for (std::size_t i = 0; i < way_.size(); ++i) way.points.push_back(toPoint(way_[i]));
+    canvas.show(way_.size() > 1, way);
+  }
+
+  void clearTrail() override { way_.clear(); }
+
+ private:
+  view::Trail way_{static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength, kWaySpacing};  ///< world axes
+};
+
+}  // namespace
+
+bool isPushed(const Motion& motion) {
+  const std::vector<Effect>& effects = motion.setup().effects;
+  return std::any_of(effects.begin(), effects.end(),
+                     [](const Effect& effect) { return !std::holds_alternative<InternalDissipation>(effect); });
+}
+
+double effectsDepth(const Subject& subject, const Motion& motion) {
+  using namespace layout;
+  if (motion.torques() && motion.torques()->gradient())
+    return subject.reach + kOrbitBeyond + 3 * kBesideEffect;  // a word
+  if (subject.weight) {
+    return subject.weight->centre_of_mass.norm() + subject.shape_radius + kWeightBeyond + 2 * kBesideEffect;
+  }
+  return isPushed(motion) ? subject.reach + kTorqueBeyond + 2 * kBesideEffect : 0;
+}
+
+void appendTorque(const Subject& subject, const Now& now, Canvas& canvas) {
+  const MarkerFactory& factory = subject.factory;
+  const std::string ns = factory.ns(names::kTorque);
+  const double expected = subject.frame.bounds.torque;
+  const Eigen::Vector3d torque_world = view::externalTorque(now.motion, now.state);
+  const auto draw = [&](TorqueId id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
+                        double longest, double hidden) {
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    if (expected > 0) way = longest * (torque_world / expected);
+    // A torque beyond what was expected would leave the picture.
+    if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
+    const bool drawn = way.norm() > layout::kLeastTorque && way.allFinite();
+    canvas.show(drawn, factory.arrow(ns, id, frame, from, from + way, palette::kTorque));
+    // A name alone would puzzle.
+    canvas.show(drawn && way.norm() >= hidden, factory.text(symbol_id, frame, beyond(from + way, way.normalized()),
+                                                            "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
+  };
+  draw(kAtBody, kTorqueSymbol, names::kWorld, now.state.position, subject.reach + layout::kTorqueBeyond,
+       kHiddenShare * subject.reach);
+  draw(kAtMomentum, kTorqueAtMomentumSymbol, factory.frames().space,
+       subject.frame.scale.metres_per_angular_momentum * now.state.momentum_world, layout::kTorqueAtMomentum, 0);
+}
+
+void appendPivot(const Subject& subject, Canvas& canvas) {
+  const MarkerFactory& factory = subject.factory;
+  const std::string ns = factory.ns(names::kGravity);
+  canvas.put(locked(factory.marker(ns, kPivot, Marker::SPHERE, factory.frames().body,
+                                   Eigen::Vector3d::Constant(kPivotDiameter), palette::kPivot)));
+  const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
+  if (centre.isZero(0)) return;
+  Marker rod = locked(factory.marker(ns, kRod, Marker::CYLINDER, factory.frames().body,
+                                     {kRodDiameter, kRodDiameter, centre.norm()}, palette::kPivot));
+  rod.pose.position = toPoint(0.5 * centre);
+  rod.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), centre));
+  canvas.put(rod);
+}
+
+void appendWeight(const Subject& subject, const Now& now, Canvas& canvas) {
+  const GravityTorque& weight = *subject.weight;
+  if (weight.gravity.isZero(0)) return;
+  putGravity(subject.factory, kWeight, kWeightSymbol, now.state.position + now.state.attitude * weight.centre_of_mass,
+             weight.gravity.stableNormalized(), subject.shape_radius + layout::kWeightBeyond, "mg", canvas);
+}
+
+void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas) {
+  putGravity(subject.factory, kToCentre, kOrbitSymbol, now.state.position,
+             -now.motion.torques()->gradient()->radialAt(now.state.time), subject.reach + layout::kOrbitBeyond,
+             "centre", canvas);
+}
+
+std::unique_ptr<Part> makeWay() {
+  return std::make_unique<Way>();
+}
+
+}  // namespace poinsot::node::parts

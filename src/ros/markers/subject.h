@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "markers/marker_factory.h"
+#include "poinsot/core/assembly.h"
+#include "poinsot/core/motion.h"
+#include "poinsot/ros/names.h"
+#include "poinsot/scene/scene.h"
+#include "poinsot/view/picture_frame.h"
+#include "poinsot/view/polhode.h"
+
+namespace poinsot::node::parts {
+
+/** The pictures in world and in body axes hang the same things on different frames. */
+struct Picture {
+  const char* name;        ///< "space" or "model", in marker namespaces
+  std::string body_frame;  ///< in which the ellipsoids are at rest, or only change their size
+};
+
+/** What is drawn: a body as all parts of its picture know it. */
+struct Subject {
+  /** All but the frame, of which the scale alone is set: that of the start. */
+  Subject(const scene::Body& body, const Motion& motion, const names::Frames& frames);
+
+  std::array<Picture, 2> pictures() const {
+    return {Picture{names::kSpace, factory.frames().space_body}, Picture{names::kModel, factory.frames().model}};
+  }
+  double metres() const { return frame.scale.metres_per_radian_per_second; }  ///< per rad/s
+  /** By `depth` [m] for a viewer at +x who looks down a little; apart from the title also for one straight above. */
+  Eigen::Vector3d belowTitle(const Eigen::Vector3d& centre, double depth) const;
+
+  MarkerFactory factory;
+  std::string name;
+  PrincipalInertia inertia;
+  MotionState start;
+  Eigen::Vector3d omega_principal;              ///< at t = 0 [rad/s]
+  view::Polhode polhode;                        ///< at t = 0
+  std::optional<ClosedForm> closed_form;        ///< of a free body, whatever moves it
+  std::optional<GravityTorque> weight;          ///< of a body on a pivot
+  std::optional<scene::Appearance> appearance;  ///< what is drawn instead of the shape
+  Assembly shape;                               ///< a box where the scene gives none
+  Eigen::Vector3d shape_position;               ///< of its centre of mass, body axes [m]
+  double shape_radius;                          ///< of the shape about its centre of mass [m]
+  double reach;                                 ///< of the shape from the body's origin [m]
+  view::PictureFrame frame;
+};
+
+}  // namespace poinsot::node::parts
