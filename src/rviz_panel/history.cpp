@@ -30,20 +30,19 @@ void History::clear() {
   played_ = 0;
 }
 
-std::vector<Point> thinned(const std::vector<Point>& points, int columns) {
-  const std::size_t most = 2 * static_cast<std::size_t>(columns) + 1;
-  if (points.size() <= most) return points;
-  std::vector<Point> out;
-  const std::size_t run = (points.size() + columns - 1) / columns;
-  for (std::size_t from = 0; from < points.size(); from += run) {
+QPolygonF thinned(const QPolygonF& points, int columns) {
+  if (points.size() <= 2 * columns + 1) return points;
+  QPolygonF out;
+  const int run = (points.size() + columns - 1) / columns;
+  for (int from = 0; from < points.size(); from += run) {
     const auto begin = points.begin() + from;
     const auto end = points.begin() + std::min(from + run, points.size());
-    const auto [low, high] = std::minmax_element(begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
-    out.push_back(*std::min(low, high));
-    if (low != high) out.push_back(*std::max(low, high));
+    const auto [low, high] =
+        std::minmax_element(begin, end, [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+    out << *std::min(low, high);
+    if (low != high) out << *std::max(low, high);
   }
-  out.push_back(points.back());
-  return out;
+  return out << points.back();
 }
 
 }  // namespace poinsot::rviz_panel

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QPolygonF>
 #include <deque>
-#include <vector>
 
 namespace poinsot::rviz_panel {
 
@@ -33,7 +33,7 @@ class History {
   std::size_t size() const { return kept_.size(); }
   /** Oldest first. The last one is the newest sample added. */
   const Sample& operator[](std::size_t i) const { return kept_[i].sample; }
-  double window() const { return window_; }
+  const Sample& newest() const { return kept_.back().sample; }
 
  private:
   struct Kept {
@@ -48,16 +48,11 @@ class History {
   std::deque<Kept> kept_;
 };
 
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
 /**
  * At most 2·columns + 1 of the points, in their order, that look the same when drawn that many columns wide: of each
  * run of neighbours the lowest and the highest, and the last point of all. All of them where they are no more than
  * that.
  */
-std::vector<Point> thinned(const std::vector<Point>& points, int columns);
+QPolygonF thinned(const QPolygonF& points, int columns);
 
 }  // namespace poinsot::rviz_panel

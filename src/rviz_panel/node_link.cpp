@@ -7,7 +7,6 @@
 #include <ros/master.h>
 #include <ros/names.h>
 #include <ros/node_handle.h>
-#include <ros/service.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -21,12 +20,9 @@ namespace {
 
 namespace names = node::names;
 
-constexpr int kPollEvery = 50;              // ms
-constexpr int kSilence = 1500;              // ms, after which a node counts as gone
-constexpr int kAttemptEvery = 2000;         // ms, from when the last attempt was ready to hear
-constexpr int kPatienceForListener = 3000;  // ms, after which what nobody listened to is dropped
-constexpr int kLongCall = 1000;             // ms
-constexpr int kMostCalls = 20;              // waiting to be answered
+constexpr int kPollEvery = 50;       // ms
+constexpr int kSilence = 1500;       // ms, after which a node counts as gone
+constexpr int kAttemptEvery = 2000;  // ms, from when the last attempt was ready to hear
 constexpr int kStateQueue = 2000;
 
 }  // namespace
@@ -40,12 +36,8 @@ struct NodeLink::Connection {
     speed = private_handle.advertise<std_msgs::Float64>(names::kSpeed, 10);
     seek = private_handle.advertise<std_msgs::Float64>(names::kSeek, 10);
     viewpoint = private_handle.advertise<geometry_msgs::PointStamped>(names::kViewpoint, 10);
-    status = private_handle.subscribe<NodeStatus>(names::kStatus, 10, [to](const NodeStatus::ConstPtr& message) {
-      to->since_status_.start();
-      const bool is_new = !std::exchange(to->alive_, true);
-      if (is_new) Q_EMIT to->found();
-      Q_EMIT to->statusReceived(*message);
-    });
+    status = private_handle.subscribe<NodeStatus>(
+        names::kStatus, 10, [to](const NodeStatus::ConstPtr& message) { to->onStatus(*message); });
   }
 
   void watch(const std::string& body) {
@@ -71,41 +63,46 @@ struct NodeLink::Connection {
   ros::Subscriber status, state, description;
 };
 
-NodeLink::NodeLink(QObject* parent) : QObject(parent), mailbox_(std::make_shared<Mailbox>()) {
+NodeLink::NodeLink(QObject* parent)
+    : QObject(parent), mailbox_(std::make_shared<Mailbox>()), calls_([this](bool is_done, const QString& message) {
+        if (is_done) {
+          Q_EMIT done(message);
+        } else {
+          Q_EMIT refused(message);
+        }
+      }) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &NodeLink::poll);
   timer_.start(kPollEvery);
 }
 
 NodeLink::~NodeLink() {
-  calling_.drop();
+  calls_.forget();
   subscribing_.post([connection = std::move(connection_)]() mutable { connection.reset(); });
 }
 
 void NodeLink::setNode(const QString& name) {
-  std::string error;
   const std::string wanted = name.trimmed().toStdString();
-  if (wanted.empty() || !ros::names::validate(wanted, error)) {
-    Q_EMIT refused(wanted.empty()
-                       ? "A node's name is needed, such as /poinsot."
-                       : QString("“%1” cannot be a node's name: %2").arg(name, QString::fromStdString(error)));
-    return;
-  }
   std::string resolved;
-  try {
-    resolved = ros::names::resolve(wanted);
-  } catch (const ros::InvalidNameException& invalid) {
-    Q_EMIT refused(QString("“%1” cannot be a node's name: %2").arg(name, invalid.what()));
+  std::string error;
+  if (wanted.empty()) {
+    error = "it is empty";
+  } else if (ros::names::validate(wanted, error)) {
+    try {
+      resolved = ros::names::resolve(wanted);
+    } catch (const ros::InvalidNameException& invalid) {
+      error = invalid.what();
+    }
+  }
+  if (resolved.empty()) {
+    Q_EMIT refused(
+        QString("Expected a node's name, such as /poinsot, got “%1”: %2").arg(name, QString::fromStdString(error)));
     return;
   }
   if (resolved == node_) return;
   node_ = resolved;
   body_.clear();
-  alive_ = false;
-  calling_.drop();
-  calls_ = 0;
-  ++generation_;
-  Q_EMIT lost();
+  giveUp();
   connectAnew();
 }
 
@@ -122,24 +119,31 @@ void NodeLink::follow() {
   });
 }
 
-bool NodeLink::waiting() const {
-  return calls_ > 0 && since_call_.hasExpired(kLongCall);
+void NodeLink::onStatus(const NodeStatus& status) {
+  since_status_.start();
+  if (!std::exchange(alive_, true)) {
+    eye_.reset();
+    Q_EMIT found();
+  }
+  Q_EMIT statusReceived(status);
+}
+
+void NodeLink::giveUp() {
+  alive_ = false;
+  calls_.forget();
+  Q_EMIT lost();
 }
 
 void NodeLink::poll() {
   mailbox_->read();
+  calls_.read();
   if (connection_) {
     const std::shared_ptr<Connection> connection = connection_;  // a slot may ask for another node
     connection->queue.callAvailable(ros::WallDuration(0));
   }
-  for (Outgoing* outgoing : {&speed_, &seek_, &viewpoint_}) flush(*outgoing);
+  for (Outgoing* outgoing : {&speed_, &seek_, &viewpoint_}) outgoing->flush();
   if (since_status_.isValid() && !since_status_.hasExpired(kSilence)) return;
-  if (std::exchange(alive_, false)) {
-    calling_.drop();
-    calls_ = 0;
-    ++generation_;
-    Q_EMIT lost();
-  }
+  if (alive_) giveUp();
   if (!connecting_ && (!since_attempt_.isValid() || since_attempt_.hasExpired(kAttemptEvery))) connectAnew();
 }
 
@@ -169,25 +173,9 @@ void NodeLink::connectAnew() {
       });
 }
 
-void NodeLink::set(Outgoing& outgoing, std::function<bool()> send) {
-  outgoing.send = std::move(send);
-  outgoing.since_set.start();
-  if (!outgoing.since_sent.isValid() || outgoing.since_sent.hasExpired(kPollEvery)) flush(outgoing);
-}
-
-void NodeLink::flush(Outgoing& outgoing) {
-  if (!outgoing.send) return;
-  if (outgoing.send()) {
-    outgoing.send = nullptr;
-    outgoing.since_sent.start();
-  } else if (outgoing.since_set.hasExpired(kPatienceForListener)) {
-    outgoing.send = nullptr;
-  }
-}
-
 template <typename Message>
 void NodeLink::publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message) {
-  set(outgoing, [this, publisher, message] {
+  outgoing.set([this, publisher, message] {
     if (!connection_ || (connection_.get()->*publisher).getNumSubscribers() == 0) return false;
     (connection_.get()->*publisher).publish(message);
     return true;
@@ -206,40 +194,16 @@ void NodeLink::seek(double time) {
   publish(seek_, &Connection::seek, message);
 }
 
-void NodeLink::setViewpoint(double x, double y, double z) {
+void NodeLink::setEye(const std::array<double, 3>& eye) {
+  if (eye_ == eye) return;
+  eye_ = eye;
   geometry_msgs::PointStamped message;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kWorld;
-  message.point.x = x;
-  message.point.y = y;
-  message.point.z = z;
+  message.point.x = eye[0];
+  message.point.y = eye[1];
+  message.point.z = eye[2];
   publish(viewpoint_, &Connection::viewpoint, message);
-}
-
-template <typename Service>
-void NodeLink::call(const char* name, const typename Service::Request& request) {
-  if (calls_ >= kMostCalls) {
-    Q_EMIT refused("The node has not answered yet; wait a moment.");
-    return;
-  }
-  if (calls_++ == 0) since_call_.start();
-  calling_.post([this, mailbox = mailbox_, full = node_ + "/" + name, request, generation = generation_] {
-    typename Service::Request question = request;
-    typename Service::Response answer;
-    const bool reached = ros::service::call(full, question, answer);
-    mailbox->post([this, full, reached, answer, generation] {
-      if (generation != generation_) return;  // of a node that was given up meanwhile
-      --calls_;
-      since_call_.start();
-      if (!reached) {
-        Q_EMIT refused(QString("No answer from %1.").arg(QString::fromStdString(full)));
-      } else if (answer.success) {
-        Q_EMIT done(QString::fromStdString(answer.message));
-      } else {
-        Q_EMIT refused(QString::fromStdString(answer.message));
-      }
-    });
-  });
 }
 
 void NodeLink::setPaused(bool paused) {
@@ -253,7 +217,7 @@ void NodeLink::step() {
 }
 
 void NodeLink::reset() {
-  seek_.send = nullptr;  // asked for before
+  seek_.drop();  // asked for before
   call<std_srvs::Trigger>(names::kReset, {});
 }
 

@@ -1,10 +1,23 @@
 #include "worker.h"
 
-#include <chrono>
-#include <thread>
+#include <QRunnable>
 #include <utility>
 
 namespace poinsot::rviz_panel {
+namespace {
+
+constexpr int kPatienceForJobs = 1000;  // ms
+
+class Job : public QRunnable {
+ public:
+  explicit Job(std::function<void()> job) : job_(std::move(job)) {}
+  void run() override { job_(); }
+
+ private:
+  std::function<void()> job_;
+};
+
+}  // namespace
 
 void Mailbox::post(std::function<void()> letter) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -20,43 +33,12 @@ void Mailbox::read() {
   for (const auto& letter : letters) letter();
 }
 
-Worker::Worker() : shared_(std::make_shared<Shared>()) {
-  std::thread(&Worker::work, shared_).detach();
-}
-
 Worker::~Worker() {
-  std::unique_lock<std::mutex> lock(shared_->mutex);
-  shared_->stop = true;
-  shared_->changed.notify_all();
-  shared_->changed.wait_for(lock, std::chrono::seconds(1), [this] { return shared_->ended; });
+  if (pool_->waitForDone(kPatienceForJobs)) delete pool_;  // its destructor would wait for a job that hangs
 }
 
 void Worker::post(std::function<void()> job) {
-  const std::lock_guard<std::mutex> lock(shared_->mutex);
-  shared_->jobs.push_back(std::move(job));
-  shared_->changed.notify_all();
-}
-
-void Worker::drop() {
-  const std::lock_guard<std::mutex> lock(shared_->mutex);
-  shared_->jobs.clear();
-}
-
-void Worker::work(const std::shared_ptr<Shared>& shared) {
-  std::unique_lock<std::mutex> lock(shared->mutex);
-  for (;;) {
-    shared->changed.wait(lock, [&] { return shared->stop || !shared->jobs.empty(); });
-    if (shared->jobs.empty()) break;
-    {
-      const std::function<void()> job = std::move(shared->jobs.front());
-      shared->jobs.pop_front();
-      lock.unlock();
-      job();
-    }  // what the job owned goes before the lock is taken again
-    lock.lock();
-  }
-  shared->ended = true;
-  shared->changed.notify_all();
+  pool_->start(new Job(std::move(job)));
 }
 
 }  // namespace poinsot::rviz_panel

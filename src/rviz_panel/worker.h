@@ -1,9 +1,8 @@
 #pragma once
 
-#include <condition_variable>
+#include <QThreadPool>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <mutex>
 
 namespace poinsot::rviz_panel {
@@ -26,26 +25,17 @@ class Mailbox {
  */
 class Worker {
  public:
-  Worker();
+  Worker() { pool_->setMaxThreadCount(1); }
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   void post(std::function<void()> job);
   /** Drops the jobs that have not begun. */
-  void drop();
+  void drop() { pool_->clear(); }
 
  private:
-  struct Shared {
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::deque<std::function<void()>> jobs;
-    bool stop = false;
-    bool ended = false;
-  };
-  static void work(const std::shared_ptr<Shared>& shared);
-
-  std::shared_ptr<Shared> shared_;
+  QThreadPool* const pool_ = new QThreadPool;
 };
 
 }  // namespace poinsot::rviz_panel

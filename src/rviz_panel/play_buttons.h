@@ -1,0 +1,34 @@
+#pragma once
+
+#include <poinsot/NodeStatus.h>
+
+#include <QPushButton>
+#include <QWidget>
+
+#include "status.h"
+
+namespace poinsot::rviz_panel {
+
+class NodeLink;
+
+/** Reset, play or pause, step. */
+class PlayButtons : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlayButtons(NodeLink* link);
+  void showStatus(const NodeStatus& status);
+
+ Q_SIGNALS:
+  void resetAsked();
+
+ private:
+  void showPaused(bool paused);
+
+  QPushButton* play_;
+  QPushButton* step_;
+  bool paused_ = false;
+  HoldOff hold_off_;
+};
+
+}  // namespace poinsot::rviz_panel
