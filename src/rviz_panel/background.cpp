@@ -1,6 +1,7 @@
 #include "background.h"
 
 #include <rviz/display_group.h>
+#include <rviz/properties/color_property.h>
 #include <rviz/visualization_manager.h>
 
 #include "colours.h"
@@ -8,20 +9,18 @@
 
 namespace poinsot::rviz_panel {
 
-Background::Background(rviz::VisualizationManager* manager)
-    : QCheckBox("&Light background"),
-      colour_(dynamic_cast<rviz::ColorProperty*>(
-          manager->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"))) {
-  describe(this, "light_background", "For paper and bright rooms.");
-  if (!colour_) return;
-  connect(this, &QCheckBox::clicked, this,
-          [this](bool on) { colour_->setColor(on ? colours::kLightBackground : colours::kDarkBackground); });
-  connect(colour_, &rviz::Property::changed, this, &Background::showColour);
-  showColour();
-}
-
-void Background::showColour() {
-  setChecked(colour_->getColor().lightnessF() > 0.5);  // which is no click
+QCheckBox* makeBackgroundBox(rviz::VisualizationManager* manager) {
+  auto* const box = makeButton<QCheckBox>("&Light background", "light_background", "For paper and bright rooms.");
+  auto* const colour = dynamic_cast<rviz::ColorProperty*>(
+      manager->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"));
+  if (!colour) return box;
+  const auto show = [box, colour] { box->setChecked(colour->getColor().lightnessF() > 0.5); };  // which is no click
+  QObject::connect(colour, &rviz::Property::changed, box, show);
+  QObject::connect(box, &QCheckBox::clicked, colour, [colour](bool light) {
+    colour->setColor(light ? colours::kLightBackground : colours::kDarkBackground);
+  });
+  show();
+  return box;
 }
 
 }  // namespace poinsot::rviz_panel

@@ -4,24 +4,16 @@
 
 namespace poinsot::rviz_panel {
 
-void History::add(const Sample& sample) {
-  if (!kept_.empty() && (sample.segment != kept_.back().sample.segment || sample.stamp < last_stamp_)) clear();
-  if (kept_.empty()) {
-    last_stamp_ = sample.stamp;
-    kept_.push_back({sample, 0});
-    return;
-  }
-  const bool moved = sample.time != kept_.back().sample.time;
-  if (moved) played_ += sample.stamp - last_stamp_;
-  last_stamp_ = sample.stamp;
+void History::add(const BodyState& state) {
+  const double stamp = state.header.stamp.toSec();
+  if (!kept_.empty() && (state.segment != newest().segment || stamp < last_stamp_)) clear();
+  const bool moved = !kept_.empty() && state.time != newest().time;
+  if (moved) played_ += stamp - last_stamp_;
+  last_stamp_ = stamp;
   // The newest is always there; it gives way to the next one while it is too close to the one before it.
   const std::size_t n = kept_.size();
-  if (n >= 2 && kept_[n - 1].played - kept_[n - 2].played < spacing_) kept_.pop_back();
-  if (moved || n == 1 || kept_.size() < n) {
-    kept_.push_back({sample, played_});
-  } else {
-    kept_.back().sample = sample;
-  }
+  if (n >= 2 && (!moved || kept_[n - 1].played - kept_[n - 2].played < spacing_)) kept_.pop_back();
+  kept_.push_back({state, played_});
   while (kept_.front().played < played_ - window_) kept_.pop_front();
 }
 

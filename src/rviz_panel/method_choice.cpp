@@ -1,6 +1,6 @@
 #include "method_choice.h"
 
-#include <QGridLayout>
+#include <QFormLayout>
 #include <cmath>
 
 #include "node_link.h"
@@ -23,7 +23,10 @@ MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
   step_->setPlaceholderText("chosen");
   step_->setAlignment(Qt::AlignRight);
   step_->setFixedWidth(step_->fontMetrics().horizontalAdvance("0.00123456"));
-  arrange();
+  auto* const form = makeLayout<QFormLayout>(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow("bo&dy", body_);
+  form->addRow(labelOf(method_, "&method"), makeRow({method_, step_label_, step_, new QLabel("ms")}, 0));
 
   connect(body_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     hold_off_.end();
@@ -32,18 +35,6 @@ MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
   });
   connect(method_, QOverload<int>::of(&QComboBox::activated), this, [this] { askMethod(0); });
   connect(step_, &QLineEdit::returnPressed, this, &MethodChoice::askStep);
-}
-
-void MethodChoice::arrange() {
-  auto* const grid = makeLayout<QGridLayout>(this);
-  grid->addWidget(labelOf(body_, "bo&dy"), 0, 0);
-  grid->addWidget(body_, 0, 1, 1, 4);
-  grid->addWidget(labelOf(method_, "&method"), 1, 0);
-  grid->addWidget(method_, 1, 1);
-  grid->addWidget(step_label_, 1, 2);
-  grid->addWidget(step_, 1, 3);
-  grid->addWidget(new QLabel("ms"), 1, 4);
-  grid->setColumnStretch(1, 1);
 }
 
 void MethodChoice::askMethod(double step) {
@@ -58,7 +49,7 @@ void MethodChoice::askStep() {
   bool ok = true;
   const double milliseconds = typed.isEmpty() ? 0 : text::number(typed, &ok);
   if (!ok || !std::isfinite(milliseconds) || (!typed.isEmpty() && milliseconds <= 0)) {
-    Q_EMIT refused(QString("Expected a step of more than 0 milliseconds, or nothing, got “%1”.").arg(typed));
+    link_->refuse(QString("Expected a step of more than 0 milliseconds, or nothing, got “%1”.").arg(typed));
     return;
   }
   askMethod(milliseconds * kMilli);

@@ -15,20 +15,13 @@ class NodeLink;
 
 /** Which body is looked at, which method moves it, and at which step. */
 class MethodChoice : public QWidget {
-  Q_OBJECT
-
  public:
   explicit MethodChoice(NodeLink* link);
 
   void showStatus(const NodeStatus& status);
   QString body() const { return body_->currentText(); }
 
- Q_SIGNALS:
-  /** The user typed what is not a step. */
-  void refused(const QString& message);
-
  private:
-  void arrange();
   void askMethod(double step);
   void askStep();
 

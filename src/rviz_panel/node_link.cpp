@@ -7,6 +7,7 @@
 #include <ros/master.h>
 #include <ros/names.h>
 #include <ros/node_handle.h>
+#include <ros/service.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -23,7 +24,18 @@ namespace names = node::names;
 constexpr int kPollEvery = 50;       // ms
 constexpr int kSilence = 1500;       // ms, after which a node counts as gone
 constexpr int kAttemptEvery = 2000;  // ms, from when the last attempt was ready to hear
+constexpr int kLongCall = 1000;      // ms
+constexpr int kMostCalls = 20;       // waiting to be answered
 constexpr int kStateQueue = 2000;
+
+/** Sends a number that waits to be sent, if somebody listens. */
+void send(std::optional<double>& number, ros::Publisher& publisher) {
+  if (!number || publisher.getNumSubscribers() == 0) return;
+  std_msgs::Float64 message;
+  message.data = *number;
+  publisher.publish(message);
+  number.reset();
+}
 
 }  // namespace
 
@@ -63,22 +75,18 @@ struct NodeLink::Connection {
   ros::Subscriber status, state, description;
 };
 
-NodeLink::NodeLink(QObject* parent)
-    : QObject(parent), mailbox_(std::make_shared<Mailbox>()), calls_([this](bool is_done, const QString& message) {
-        if (is_done) {
-          Q_EMIT done(message);
-        } else {
-          Q_EMIT refused(message);
-        }
-      }) {
+NodeLink::NodeLink(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &NodeLink::poll);
   timer_.start(kPollEvery);
 }
 
 NodeLink::~NodeLink() {
-  calls_.forget();
-  subscribing_.post([connection = std::move(connection_)]() mutable { connection.reset(); });
+  calling_.drop();
+  subscribing_.post([connection = std::move(connection_)]() mutable {
+    connection.reset();
+    return nullptr;
+  });
 }
 
 void NodeLink::setNode(const QString& name) {
@@ -116,6 +124,7 @@ void NodeLink::follow() {
   if (!connection_) return;
   subscribing_.post([connection = connection_, body = body_] {
     if (body.empty() || ros::master::check()) connection->watch(body);
+    return nullptr;
   });
 }
 
@@ -130,18 +139,25 @@ void NodeLink::onStatus(const NodeStatus& status) {
 
 void NodeLink::giveUp() {
   alive_ = false;
-  calls_.forget();
+  speed_.reset();
+  seek_.reset();
+  calling_.drop();
+  calls_ = 0;
   Q_EMIT lost();
 }
 
+bool NodeLink::waiting() const {
+  return calls_ > 0 && since_call_.hasExpired(kLongCall);
+}
+
 void NodeLink::poll() {
-  mailbox_->read();
-  calls_.read();
-  if (connection_) {
-    const std::shared_ptr<Connection> connection = connection_;  // a slot may ask for another node
+  subscribing_.read();
+  calling_.read();
+  if (const std::shared_ptr<Connection> connection = connection_) {  // kept, as a slot may ask for another node
     connection->queue.callAvailable(ros::WallDuration(0));
+    send(speed_, connection->speed);
+    send(seek_, connection->seek);
   }
-  for (Outgoing* outgoing : {&speed_, &seek_, &viewpoint_}) outgoing->flush();
   if (since_status_.isValid() && !since_status_.hasExpired(kSilence)) return;
   if (alive_) giveUp();
   if (!connecting_ && (!since_attempt_.isValid() || since_attempt_.hasExpired(kAttemptEvery))) connectAnew();
@@ -151,51 +167,36 @@ void NodeLink::connectAnew() {
   if (connecting_) return;  // adopting what is being made, one sees that another is wanted
   connecting_ = true;
   since_attempt_.start();
-  subscribing_.post(
-      [this, mailbox = mailbox_, node = node_, body = body_, old = std::exchange(connection_, nullptr)]() mutable {
-        old.reset();
-        std::shared_ptr<Connection> fresh;
-        if (ros::master::check()) {  // without a master, subscribing would wait for it
-          fresh = std::make_shared<Connection>(this, node);
-          fresh->watch(body);
-        }
-        mailbox->post([this, fresh, body]() mutable {
-          connecting_ = false;
-          since_attempt_.start();
-          if (fresh && fresh->node != node_) {
-            fresh.swap(connection_);
-            connectAnew();
-            return;
-          }
-          connection_ = std::move(fresh);
-          if (body != body_) follow();
-        });
-      });
-}
-
-template <typename Message>
-void NodeLink::publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message) {
-  outgoing.set([this, publisher, message] {
-    if (!connection_ || (connection_.get()->*publisher).getNumSubscribers() == 0) return false;
-    (connection_.get()->*publisher).publish(message);
-    return true;
+  subscribing_.post([this, node = node_, body = body_, old = std::exchange(connection_, nullptr)]() mutable {
+    old.reset();
+    std::shared_ptr<Connection> fresh;
+    if (ros::master::check()) {  // without a master, subscribing would wait for it
+      fresh = std::make_shared<Connection>(this, node);
+      fresh->watch(body);
+    }
+    return [this, fresh, body] {
+      connecting_ = false;
+      since_attempt_.start();
+      connection_ = fresh;
+      if (fresh && fresh->node != node_) {
+        connectAnew();
+      } else if (body != body_) {
+        follow();
+      }
+    };
   });
 }
 
 void NodeLink::setSpeed(double speed) {
-  std_msgs::Float64 message;
-  message.data = speed;
-  publish(speed_, &Connection::speed, message);
+  speed_ = speed;
 }
 
 void NodeLink::seek(double time) {
-  std_msgs::Float64 message;
-  message.data = time;
-  publish(seek_, &Connection::seek, message);
+  seek_ = time;
 }
 
 void NodeLink::setEye(const std::array<double, 3>& eye) {
-  if (eye_ == eye) return;
+  if (eye_ == eye || !connection_ || connection_->viewpoint.getNumSubscribers() == 0) return;
   eye_ = eye;
   geometry_msgs::PointStamped message;
   message.header.stamp = ros::Time::now();
@@ -203,7 +204,30 @@ void NodeLink::setEye(const std::array<double, 3>& eye) {
   message.point.x = eye[0];
   message.point.y = eye[1];
   message.point.z = eye[2];
-  publish(viewpoint_, &Connection::viewpoint, message);
+  connection_->viewpoint.publish(message);
+}
+
+template <typename Service>
+void NodeLink::call(const char* name, const typename Service::Request& request) {
+  if (calls_ >= kMostCalls) {
+    Q_EMIT refused("The node has not answered yet; wait a moment.");
+    return;
+  }
+  if (calls_++ == 0) since_call_.start();
+  calling_.post([this, service = node_ + "/" + name, question = request]() mutable {
+    typename Service::Response answer;
+    const bool reached = ros::service::call(service, question, answer);
+    if (!reached) answer.message = "No answer from " + service + ".";
+    return [this, is_done = reached && answer.success, message = QString::fromStdString(answer.message)] {
+      --calls_;
+      since_call_.start();
+      if (is_done) {
+        Q_EMIT done(message);
+      } else {
+        Q_EMIT refused(message);
+      }
+    };
+  });
 }
 
 void NodeLink::setPaused(bool paused) {
@@ -217,7 +241,8 @@ void NodeLink::step() {
 }
 
 void NodeLink::reset() {
-  seek_.drop();  // asked for before
+  Q_EMIT resetting();
+  seek_.reset();  // asked for before
   call<std_srvs::Trigger>(names::kReset, {});
 }
 

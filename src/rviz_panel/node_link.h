@@ -15,8 +15,6 @@
 #include <optional>
 #include <string>
 
-#include "outgoing.h"
-#include "service_calls.h"
 #include "worker.h"
 
 namespace poinsot::rviz_panel {
@@ -46,8 +44,10 @@ class NodeLink : public QObject {
   /** Did the node's status arrive lately? */
   bool alive() const { return alive_; }
   /** Has the node taken more than a moment over something it was asked for? */
-  bool waiting() const { return calls_.waiting(); }
+  bool waiting() const;
 
+  /** Says that what the user asked for is not even sent. */
+  void refuse(const QString& why) { Q_EMIT refused(why); }
   void setPaused(bool paused);
   void step();
   void reset();
@@ -70,6 +70,8 @@ class NodeLink : public QObject {
   /** What became of a service call, in the node's words. */
   void done(const QString& message);
   void refused(const QString& message);
+  /** A reset is asked for: t is to be 0, and to run forwards. */
+  void resetting();
 
  private:
   struct Connection;
@@ -80,13 +82,8 @@ class NodeLink : public QObject {
   void giveUp();
   void connectAnew();
   void follow();
-  /** Sends the message as soon as somebody listens, unless another of its kind comes first. */
-  template <typename Message>
-  void publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message);
   template <typename Service>
-  void call(const char* name, const typename Service::Request& request) {
-    calls_.add<Service>(node_ + "/" + name, request);
-  }
+  void call(const char* name, const typename Service::Request& request);
 
   std::string node_ = "/poinsot";
   std::string body_;
@@ -94,13 +91,14 @@ class NodeLink : public QObject {
   bool connecting_ = false;
   QElapsedTimer since_status_;
   QElapsedTimer since_attempt_;
+  QElapsedTimer since_call_;
+  int calls_ = 0;                             ///< that have not been answered
   std::optional<std::array<double, 3>> eye_;  ///< that the node has been told
-  Outgoing speed_, seek_, viewpoint_;
+  std::optional<double> speed_, seek_;        ///< to be sent
   QTimer timer_;
   std::shared_ptr<Connection> connection_;
-  std::shared_ptr<Mailbox> mailbox_;
   Worker subscribing_;
-  ServiceCalls calls_;
+  Worker calling_;
 };
 
 }  // namespace poinsot::rviz_panel

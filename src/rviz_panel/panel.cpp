@@ -5,7 +5,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -70,13 +69,16 @@ void Panel::onInitialize() {
 
 QWidget* Panel::makePage() {
   views_ = new ViewChoice(vis_manager_);
+  node_ = new QLineEdit;
+  describe(node_, "node", "The name of the Poinsot node to lead; press Enter. Kept in the .rviz file.");
+  connect(node_, &QLineEdit::editingFinished, this, &Panel::takeTypedNode);
   auto* const page = new QWidget;
   auto* const layout = makeLayout<QVBoxLayout>(page, 6);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(makeControls());
   layout->addWidget(line());
   layout->addWidget(views_);
-  layout->addLayout(makeNodeRow());
+  layout->addLayout(makeRow({labelOf(node_, "&node"), node_, makeBackgroundBox(vis_manager_)}));
   layout->addStretch();
   return page;
 }
@@ -99,21 +101,7 @@ QWidget* Panel::makeControls() {
   connect(link_, &NodeLink::statusReceived, scene, &SceneChoice::showStatus);
   connect(link_, &NodeLink::statusReceived, buttons, &PlayButtons::showStatus);
   connect(link_, &NodeLink::statusReceived, speed, &SpeedControl::showStatus);
-  connect(buttons, &PlayButtons::resetAsked, time_, &TimeControl::showStart);
-  connect(buttons, &PlayButtons::resetAsked, speed, &SpeedControl::playForwards);
-  connect(buttons, &PlayButtons::resetAsked, link_, &NodeLink::reset);
   return controls_;
-}
-
-QLayout* Panel::makeNodeRow() {
-  node_ = new QLineEdit;
-  describe(node_, "node", "The name of the Poinsot node to lead; press Enter. Kept in the .rviz file.");
-  connect(node_, &QLineEdit::editingFinished, this, &Panel::takeTypedNode);
-  auto* const row = makeLayout<QHBoxLayout>(nullptr, 6);
-  row->addWidget(labelOf(node_, "&node"));
-  row->addWidget(node_, 1);
-  row->addWidget(new Background(vis_manager_));
-  return row;
 }
 
 void Panel::listen() {
@@ -122,12 +110,14 @@ void Panel::listen() {
   connect(link_, &NodeLink::descriptionReceived, plots_, &Plots::setPrincipalAxes);
   connect(link_, &NodeLink::descriptionReceived, this,
           [this](const BodyDescription& description) { views_->camera().showDescription(description); });
-  connect(link_, &NodeLink::found, this, &Panel::onFound);
+  connect(link_, &NodeLink::found, this, [this] {
+    controls_->setEnabled(true);
+    banner_->hide();
+    clear();
+  });
   connect(link_, &NodeLink::lost, this, &Panel::onLost);
   connect(link_, &NodeLink::done, notice_, &Notice::say);
   connect(link_, &NodeLink::refused, notice_, &Notice::refuse);
-  connect(time_, &TimeControl::refused, notice_, &Notice::refuse);
-  connect(method_, &MethodChoice::refused, notice_, &Notice::refuse);
   connect(time_, &TimeControl::spanChanged, this, &Panel::configChanged);
   connect(&timer_, &QTimer::timeout, this, &Panel::refresh);
   timer_.start(kRefreshEvery);
@@ -186,12 +176,6 @@ void Panel::onState(const BodyState& state) {
   newest_ = state;
   plots_->add(state);
   views_->camera().showState(state);
-}
-
-void Panel::onFound() {
-  controls_->setEnabled(true);
-  banner_->hide();
-  clear();
 }
 
 void Panel::onLost() {

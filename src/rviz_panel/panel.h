@@ -37,11 +37,9 @@ class Panel : public rviz::Panel {
   /** All that needs a node. */
   QWidget* makeControls();
   QWidget* makePage();
-  QLayout* makeNodeRow();
   void listen();
   void onStatus(const NodeStatus& status);
   void onState(const BodyState& state);
-  void onFound();
   void onLost();
   void takeTypedNode();
   void refresh();

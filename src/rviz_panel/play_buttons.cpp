@@ -20,7 +20,7 @@ PlayButtons::PlayButtons(NodeLink* link) {
   auto* const row = makeLayout<QHBoxLayout>(this);
   for (QPushButton* button : {reset, play_, step_}) row->addWidget(button, button == play_ ? 3 : 2);
 
-  connect(reset, &QPushButton::clicked, this, &PlayButtons::resetAsked);
+  connect(reset, &QPushButton::clicked, link, &NodeLink::reset);
   connect(step_, &QPushButton::clicked, link, &NodeLink::step);
   connect(play_, &QPushButton::clicked, this, [this, link] {
     hold_off_.begin();

@@ -13,14 +13,9 @@ class NodeLink;
 
 /** Reset, play or pause, step. */
 class PlayButtons : public QWidget {
-  Q_OBJECT
-
  public:
   explicit PlayButtons(NodeLink* link);
   void showStatus(const NodeStatus& status);
-
- Q_SIGNALS:
-  void resetAsked();
 
  private:
   void showPaused(bool paused);

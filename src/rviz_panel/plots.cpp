@@ -153,18 +153,10 @@ void Plots::showLegend(bool has_truth) {
 
 void Plots::add(const BodyState& state) {
   showLegend(!std::isnan(state.attitude_error));
-  Sample sample;
-  sample.stamp = state.header.stamp.toSec();
-  sample.time = state.time;
-  sample.segment = state.segment;
-  sample.omega = {state.omega_body.x, state.omega_body.y, state.omega_body.z};
-  sample.energy_drift = state.energy_drift;
-  sample.momentum_drift = state.momentum_drift;
-  sample.attitude_error = state.attitude_error;
-  const bool begins = history_.empty() || history_.newest().segment != sample.segment;
+  const bool begins = history_.empty() || history_.newest().segment != state.segment;
   if (begins) omega_bound_ = 0;
-  changed_ = changed_ || begins || history_.newest().time != sample.time;
-  history_.add(sample);
+  changed_ = changed_ || begins || history_.newest().time != state.time;
+  history_.add(state);
 }
 
 void Plots::setPrincipalAxes(const BodyDescription& description) {
@@ -205,7 +197,8 @@ void Plots::drawOmega(double from, double to) {
   std::array<QPolygonF, 3> points;
   double largest = 0;
   for (std::size_t k = 0; k < history_.size(); ++k) {
-    const Eigen::Vector3d omega = to_principal_ * history_[k].omega;
+    const geometry_msgs::Vector3& body = history_[k].omega_body;
+    const Eigen::Vector3d omega = to_principal_ * Eigen::Vector3d(body.x, body.y, body.z);
     largest = std::max(largest, omega.cwiseAbs().maxCoeff());
     for (int i = 0; i < 3; ++i) points[i] << QPointF(history_[k].time, omega[i]);
   }
@@ -221,12 +214,12 @@ void Plots::drawErrors(double from, double to) {
   std::array<QPolygonF, 3> points;
   double largest = kLowestTop;
   for (std::size_t k = 0; k < history_.size(); ++k) {
-    const Sample& sample = history_[k];
-    const std::array<double, 3> values = {sample.energy_drift, sample.momentum_drift, sample.attitude_error};
+    const BodyState& state = history_[k];
+    const std::array<double, 3> values = {state.energy_drift, state.momentum_drift, state.attitude_error};
     for (int i = 0; i < 3; ++i) {
       const double size = std::abs(values[i]);
       if (!std::isfinite(size)) continue;
-      points[i] << QPointF(sample.time, std::max(size, kFloor));
+      points[i] << QPointF(state.time, std::max(size, kFloor));
       largest = std::max(largest, size);
     }
   }

@@ -27,26 +27,19 @@ ReadOuts::ReadOuts() : grid_(makeLayout<QGridLayout>(this)) {
   grid_->setColumnStretch(1, 1);
   grid_->setColumnStretch(2, 1);
 
-  const QString energy = "E = ½ ΩᵀMΩ, of rotation.";
-  const QString momentum = "|L|, the angular momentum.";
   const QString drift = "Relative, since the segment began: since the last seek, reset or change of method.";
-  const QString error = "The angle between the attitude as published and the closed form at the same t.";
-  const QString flips = "How often the body turns over from t = 0 to now, by the closed form; negative before it.";
-  const QString cost = "CPU time that the motion takes per simulated second, measured.";
-  addTitle(0, dot(colours::kEnergy) + "energy", energy);
-  energy_ = addValue(0, 1, "energy", energy);
+  energy_ = addRow(0, dot(colours::kEnergy) + "energy", "energy", "E = ½ ΩᵀMΩ, of rotation.");
   energy_drift_ = addValue(0, 2, "energy_drift", drift);
-  addTitle(1, dot(colours::kMomentum) + "momentum", momentum);
-  momentum_ = addValue(1, 1, "momentum", momentum);
+  momentum_ = addRow(1, dot(colours::kMomentum) + "momentum", "momentum", "|L|, the angular momentum.");
   momentum_drift_ = addValue(1, 2, "momentum_drift", drift);
-  addTitle(2, dot(colours::kAttitudeError) + "true error", error);
-  attitude_error_ = addValue(2, 1, "attitude_error", error, 2);
+  attitude_error_ = addRow(2, dot(colours::kAttitudeError) + "true error", "attitude_error",
+                           "The angle between the attitude as published and the closed form at the same t.", 2);
+  const QString flips = "How often the body turns over from t = 0 to now, by the closed form; negative before it.";
   flips_title_ = addTitle(kFlips, "flips", flips);
   flips_title_->setObjectName("flips_title");
   flips_ = addValue(kFlips, 1, "flips", flips);
   next_flip_ = addValue(kFlips, 2, "next_flip", "Simulated seconds to the next flip, in the direction of play.");
-  addTitle(4, "cost", cost);
-  cost_ = addValue(4, 1, "cost", cost, 2);
+  cost_ = addRow(4, "cost", "cost", "CPU time that the motion takes per simulated second, measured.", 2);
   regime_title_ = addTitle(
       5, "regime",
       "What Ω goes round on its polhode: the axis of smallest moment, or that of largest. A body that flips goes round "
@@ -71,6 +64,11 @@ QLabel* ReadOuts::addValue(int row, int column, const QString& name, const QStri
   value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   grid_->addWidget(value, row, column, 1, columns);
   return value;
+}
+
+QLabel* ReadOuts::addRow(int row, const QString& title, const QString& name, const QString& tip, int columns) {
+  addTitle(row, title, tip);
+  return addValue(row, 1, name, tip, columns);
 }
 
 void ReadOuts::clear() {

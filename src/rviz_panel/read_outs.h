@@ -25,6 +25,7 @@ class ReadOuts : public QWidget {
 
  private:
   QLabel* addTitle(int row, const QString& text, const QString& tip);
+  QLabel* addRow(int row, const QString& title, const QString& name, const QString& tip, int columns = 1);
   QLabel* addValue(int row, int column, const QString& name, const QString& tip, int columns = 1);
 
   QGridLayout* grid_;

@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QToolButton>
 
 #include "node_link.h"
@@ -14,10 +13,7 @@ namespace poinsot::rviz_panel {
 SceneChoice::SceneChoice(NodeLink* link) {
   scene_ = makeList("scene", "The scene that plays. What plays goes on until the other is ready.", 12);
   auto* const open = makeButton<QToolButton>("&Open…", "open_scene", "Play a scene file of your own.");
-  auto* const row = makeLayout<QHBoxLayout>(this);
-  row->addWidget(labelOf(scene_, "&scene"));
-  row->addWidget(scene_, 1);
-  row->addWidget(open);
+  setLayout(makeRow({labelOf(scene_, "&scene"), scene_, open}));
 
   connect(scene_, QOverload<int>::of(&QComboBox::activated), this, [this, link] {
     hold_off_.begin();

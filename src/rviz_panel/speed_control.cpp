@@ -1,7 +1,6 @@
 #include "speed_control.h"
 
-#include <QGridLayout>
-#include <QHBoxLayout>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "node_link.h"
@@ -21,42 +20,29 @@ SpeedControl::SpeedControl(NodeLink* link) : link_(link) {
   auto* const real_time = makeButton<QToolButton>("×&1", "real_time", "Real time, in the direction in which it plays.");
   backwards_ = makeButton<QToolButton>("◀ &Back", "backwards", "Play backwards.");
   backwards_->setCheckable(true);
-  arrange(real_time);
+  auto* const layout = makeLayout<QVBoxLayout>(this, 2);
+  layout->addLayout(makeRow({labelOf(slider_, "sp&eed"), text_, nullptr, real_time, backwards_}, 2));
+  layout->addWidget(slider_);
+  layout->addLayout(
+      makeRow({makeLabel(text::speed(speed_scale::kSlowest), 0.85), nullptr, makeLabel(text::speed(1), 0.85), nullptr,
+               makeLabel(text::speed(speed_scale::kFastest), 0.85)}));
   showSpeed(1);
 
   connect(slider_, &QSlider::valueChanged, this, [this](int position) { ask(speed_scale::speedAt(position)); });
   connect(backwards_, &QToolButton::clicked, this, [this] { ask(std::abs(speed_)); });
+  connect(link, &NodeLink::resetting, this, [this] {
+    if (backwards_->isChecked()) backwards_->click();  // nobody starts again in order to leave the start behind
+  });
   connect(real_time, &QToolButton::clicked, this, [this] {
     showPosition(slider_, speed_scale::positionOf(1));
     ask(1);
   });
 }
 
-void SpeedControl::arrange(QToolButton* real_time) {
-  auto* const grid = makeLayout<QGridLayout>(this);
-  grid->setVerticalSpacing(2);
-  grid->addWidget(labelOf(slider_, "sp&eed"), 0, 0);
-  grid->addWidget(text_, 0, 1);
-  grid->addWidget(real_time, 0, 3);
-  grid->addWidget(backwards_, 0, 4);
-  grid->setColumnStretch(2, 1);
-  grid->addWidget(slider_, 1, 0, 1, 5);
-  auto* const ends = makeLayout<QHBoxLayout>();
-  for (const double end : {speed_scale::kSlowest, 1.0, speed_scale::kFastest}) {
-    if (end > speed_scale::kSlowest) ends->addStretch();
-    ends->addWidget(makeLabel(text::speed(end), 0.85));
-  }
-  grid->addLayout(ends, 2, 0, 1, 5);
-}
-
 void SpeedControl::ask(double magnitude) {
   hold_off_.begin();
   showSpeed(backwards_->isChecked() ? -magnitude : magnitude);
   link_->setSpeed(speed_);
-}
-
-void SpeedControl::playForwards() {
-  if (backwards_->isChecked()) backwards_->click();
 }
 
 void SpeedControl::showSpeed(double speed) {

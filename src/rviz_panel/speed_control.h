@@ -18,11 +18,8 @@ class SpeedControl : public QWidget {
  public:
   explicit SpeedControl(NodeLink* link);
   void showStatus(const NodeStatus& status);
-  /** Asks for the same speed forwards, if it is not. */
-  void playForwards();
 
  private:
-  void arrange(QToolButton* real_time);
   void ask(double magnitude);
   void showSpeed(double speed);
 

@@ -1,7 +1,6 @@
 #include "time_control.h"
 
-#include <QGridLayout>
-#include <QHBoxLayout>
+#include <QVBoxLayout>
 #include <cmath>
 #include <utility>
 
@@ -35,31 +34,18 @@ TimeControl::TimeControl(NodeLink* link) : link_(link) {
   to_ = makeLabel("", 0.85);
   from_->setObjectName("page_from");
   to_->setObjectName("page_to");
-  arrange();
+  auto* const layout = makeLayout<QVBoxLayout>(this, 2);
+  layout->addLayout(makeRow({labelOf(time_, "t&ime"), time_, new QLabel("s"), span_, both_sides_}));
+  layout->addWidget(slider_);
+  layout->addLayout(makeRow({from_, nullptr, to_}));
 
   connect(time_, &QLineEdit::returnPressed, this, &TimeControl::seekToText);
   connect(slider_, &QSlider::valueChanged, this, &TimeControl::seekToSlider);
   connect(slider_, &QSlider::sliderReleased, this, [this] { hold_off_.begin(); });
   connect(span_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &TimeControl::newPage);
   connect(both_sides_, &QToolButton::toggled, this, &TimeControl::newPage);
+  connect(link, &NodeLink::resetting, this, &TimeControl::showStart);
   newPage();
-}
-
-void TimeControl::arrange() {
-  auto* const grid = makeLayout<QGridLayout>(this);
-  grid->setVerticalSpacing(2);
-  grid->addWidget(labelOf(time_, "t&ime"), 0, 0);
-  grid->addWidget(time_, 0, 1);
-  grid->addWidget(new QLabel("s"), 0, 2);
-  grid->addWidget(span_, 0, 3);
-  grid->addWidget(both_sides_, 0, 4);
-  grid->addWidget(slider_, 1, 0, 1, 5);
-  auto* const ends = makeLayout<QHBoxLayout>();
-  ends->addWidget(from_);
-  ends->addStretch();
-  ends->addWidget(to_);
-  grid->addLayout(ends, 2, 0, 1, 5);
-  grid->setColumnStretch(1, 1);
 }
 
 void TimeControl::seekToSlider() {
@@ -74,7 +60,7 @@ void TimeControl::seekToText() {
   const double time = text::number(time_->text(), &ok);
   time_->setModified(false);
   if (!ok || !std::isfinite(time)) {
-    Q_EMIT refused(QString("Expected a time in seconds, got “%1”.").arg(time_->text()));
+    link_->refuse(QString("Expected a time in seconds, got “%1”.").arg(time_->text()));
     return;
   }
   hold_off_.end();

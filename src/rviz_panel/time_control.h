@@ -24,19 +24,15 @@ class TimeControl : public QWidget {
   explicit TimeControl(NodeLink* link);
 
   void showTime(double time);
-  /** t = 0, as after a reset. */
-  void showStart();
 
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
 
  Q_SIGNALS:
-  /** The user typed what is not a time. */
-  void refused(const QString& message);
   void spanChanged();
 
  private:
-  void arrange();
+  void showStart();
   void seekToSlider();
   void seekToText();
   void newPage();

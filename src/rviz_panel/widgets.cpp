@@ -70,6 +70,18 @@ QLabel* labelOf(QWidget* widget, const QString& text) {
   return label;
 }
 
+QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide) {
+  auto* const row = makeLayout<QHBoxLayout>();
+  for (std::size_t i = 0; i < widgets.size(); ++i) {
+    if (widgets[i]) {
+      row->addWidget(widgets[i], i == wide ? 1 : 0);
+    } else {
+      row->addStretch(1);
+    }
+  }
+  return row;
+}
+
 QComboBox* makeList(const QString& name, const QString& tip, int letters) {
   auto* const list = new QComboBox;
   describe(list, name, tip);

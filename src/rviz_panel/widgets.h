@@ -1,12 +1,15 @@
 #pragma once
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+#include <cstddef>
+#include <vector>
 
 /** Small things that the parts of the panel share. */
 namespace poinsot::rviz_panel {
@@ -43,6 +46,10 @@ QComboBox* makeList(const QString& name, const QString& tip, int letters);
 /** A slider from 0 to `last`, whose handle jumps to where one clicks. */
 QSlider* makeSlider(const QString& name, const QString& tip, int last, int single_step, int page_step);
 
+/** Widgets side by side, null for free room. The one at place `wide` is given what room is left. */
+QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide = 1);
+
+/** Makes the letters of a widget so many times as large. */
 void setLetters(QWidget* widget, double size, bool bold = false);
 
 /**
@@ -69,8 +76,6 @@ class LiveEdit : public QLineEdit {
 
 /** A label that never asks for more room than there is: what does not fit is shown as "…", and in full as a tooltip. */
 class ElidedLabel : public QLabel {
-  Q_OBJECT
-
  public:
   ElidedLabel();
   void setFullText(const QString& text);

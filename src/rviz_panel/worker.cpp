@@ -6,39 +6,43 @@
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kPatienceForJobs = 1000;  // ms
+constexpr int kPatience = 1000;  // ms
 
-class Job : public QRunnable {
+class Task : public QRunnable {
  public:
-  explicit Job(std::function<void()> job) : job_(std::move(job)) {}
-  void run() override { job_(); }
+  explicit Task(std::function<void()> act) : act_(std::move(act)) {}
+  void run() override { act_(); }
 
  private:
-  std::function<void()> job_;
+  std::function<void()> act_;
 };
 
 }  // namespace
 
-void Mailbox::post(std::function<void()> letter) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  letters_.push_back(std::move(letter));
-}
-
-void Mailbox::read() {
-  std::deque<std::function<void()>> letters;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    letters.swap(letters_);
-  }
-  for (const auto& letter : letters) letter();
-}
-
 Worker::~Worker() {
-  if (pool_->waitForDone(kPatienceForJobs)) delete pool_;  // its destructor would wait for a job that hangs
+  if (pool_->waitForDone(kPatience)) delete pool_;  // its destructor would wait for a job that hangs
 }
 
-void Worker::post(std::function<void()> job) {
-  pool_->start(new Job(std::move(job)));
+void Worker::post(Job job) {
+  pool_->start(new Task([job = std::move(job), mailbox = mailbox_] {
+    Answer answer = job();
+    const std::lock_guard<std::mutex> lock(mailbox->mutex);
+    if (answer) mailbox->answers.push_back(std::move(answer));
+  }));
+}
+
+void Worker::read() {
+  std::deque<Answer> answers;
+  {
+    const std::lock_guard<std::mutex> lock(mailbox_->mutex);
+    answers.swap(mailbox_->answers);
+  }
+  for (const Answer& answer : answers) answer();
+}
+
+void Worker::drop() {
+  pool_->clear();
+  mailbox_ = std::make_shared<Mailbox>();
 }
 
 }  // namespace poinsot::rviz_panel

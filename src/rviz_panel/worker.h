@@ -3,21 +3,10 @@
 #include <QThreadPool>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 
 namespace poinsot::rviz_panel {
-
-/** Closures handed from one thread to another, which runs them when it likes. */
-class Mailbox {
- public:
-  void post(std::function<void()> letter);
-  /** Runs what has been posted so far, on the calling thread. */
-  void read();
-
- private:
-  std::mutex mutex_;
-  std::deque<std::function<void()>> letters_;
-};
 
 /**
  * A thread that does one job after another: what may wait for other programs. Whoever destroys a worker waits for its
@@ -25,17 +14,28 @@ class Mailbox {
  */
 class Worker {
  public:
+  using Answer = std::function<void()>;  ///< empty: none
+  using Job = std::function<Answer()>;
+
   Worker() { pool_->setMaxThreadCount(1); }
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void post(std::function<void()> job);
-  /** Drops the jobs that have not begun. */
-  void drop() { pool_->clear(); }
+  void post(Job job);
+  /** Runs the answers that jobs have given so far, on the calling thread. */
+  void read();
+  /** Drops the jobs that have not begun, and the answer of the one that has. */
+  void drop();
 
  private:
+  struct Mailbox {
+    std::mutex mutex;
+    std::deque<Answer> answers;
+  };
+
   QThreadPool* const pool_ = new QThreadPool;
+  std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
 };
 
 }  // namespace poinsot::rviz_panel

@@ -10,7 +10,6 @@
 #include "hidden_parts.h"
 #include "history.h"
 #include "momentum_camera.h"
-#include "outgoing.h"
 #include "speed_scale.h"
 #include "status.h"
 #include "text.h"
@@ -96,50 +95,50 @@ TEST(TimePage, sharesAndTimes) {
   EXPECT_EQ(page.shareAt(kNaN), 0);
 }
 
-Sample sampleAt(double stamp, double time, unsigned segment = 0) {
-  Sample sample;
-  sample.stamp = stamp;
-  sample.time = time;
-  sample.segment = segment;
-  return sample;
+poinsot::BodyState stateAt(double stamp, double time, unsigned segment = 0) {
+  poinsot::BodyState state;
+  state.header.stamp = ros::Time(stamp);
+  state.time = time;
+  state.segment = segment;
+  return state;
 }
 
 TEST(History, keepsItsWindowOnly) {
   History history(20, 4000);
-  for (int i = 0; i <= 60 * 60; ++i) history.add(sampleAt(i / 60.0, i / 60.0));
-  EXPECT_NEAR(history[0].stamp, 40, 0.02);
-  EXPECT_EQ(history[history.size() - 1].stamp, 60);
+  for (int i = 0; i <= 60 * 60; ++i) history.add(stateAt(i / 60.0, i / 60.0));
+  EXPECT_NEAR(history[0].header.stamp.toSec(), 40, 0.02);
+  EXPECT_EQ(history.newest().header.stamp.toSec(), 60);
   EXPECT_NEAR(static_cast<double>(history.size()), 20 * 60, 3);
 }
 
 TEST(History, isBoundedHoweverFastTheNode) {
   History history(20, 4000);
-  for (int i = 0; i <= 30 * 10000; ++i) history.add(sampleAt(i / 10000.0, i / 10000.0));
+  for (int i = 0; i <= 30 * 10000; ++i) history.add(stateAt(i / 10000.0, i / 10000.0));
   EXPECT_LE(history.size(), 4002u);
   EXPECT_GT(history.size(), 3800u);
-  EXPECT_EQ(history[history.size() - 1].stamp, 30) << "the newest sample is always there";
-  for (std::size_t i = 1; i < history.size(); ++i) EXPECT_GT(history[i].stamp, history[i - 1].stamp);
+  EXPECT_EQ(history.newest().header.stamp.toSec(), 30) << "the newest sample is always there";
+  for (std::size_t i = 1; i < history.size(); ++i) EXPECT_GT(history[i].header.stamp, history[i - 1].header.stamp);
 }
 
 TEST(History, aPauseDoesNotPushItOut) {
   History history(20, 4000);
-  for (int i = 0; i <= 300; ++i) history.add(sampleAt(i / 60.0, i / 60.0));
+  for (int i = 0; i <= 300; ++i) history.add(stateAt(i / 60.0, i / 60.0));
   const std::size_t before = history.size();
-  for (int i = 1; i <= 6000; ++i) history.add(sampleAt(5 + i / 60.0, 5));
+  for (int i = 1; i <= 6000; ++i) history.add(stateAt(5 + i / 60.0, 5));
   EXPECT_EQ(history.size(), before);
-  history.add(sampleAt(105 + 1 / 60.0, 5 + 1 / 60.0));
+  history.add(stateAt(105 + 1 / 60.0, 5 + 1 / 60.0));
   EXPECT_EQ(history.size(), before + 1);
   EXPECT_EQ(history[0].time, 0);
 }
 
 TEST(History, aNewSegmentOrAClockThatGoesBackBeginsAnew) {
   History history(20, 4000);
-  for (int i = 0; i < 10; ++i) history.add(sampleAt(i, i));
-  history.add(sampleAt(10, 500, 1));
+  for (int i = 0; i < 10; ++i) history.add(stateAt(i, i));
+  history.add(stateAt(10, 500, 1));
   ASSERT_EQ(history.size(), 1u);
   EXPECT_EQ(history[0].time, 500);
-  history.add(sampleAt(11, 501, 1));
-  history.add(sampleAt(3, 502, 1));
+  history.add(stateAt(11, 501, 1));
+  history.add(stateAt(3, 502, 1));
   ASSERT_EQ(history.size(), 1u);
   EXPECT_EQ(history[0].time, 502);
 }
@@ -215,32 +214,6 @@ TEST(HoldOff, lastsWhileTheNodeIsAtWork) {
   EXPECT_TRUE(hold_off.holds());
   hold_off.end();
   EXPECT_FALSE(hold_off.holds());
-}
-
-TEST(Outgoing, keepsTheLastUntilSomebodyListens) {
-  Outgoing outgoing;
-  bool listens = false;
-  std::vector<int> sent;
-  const auto send = [&](int what) {
-    return [&, what] {
-      if (listens) sent.push_back(what);
-      return listens;
-    };
-  };
-  outgoing.set(send(1));
-  outgoing.set(send(2));
-  listens = true;
-  outgoing.flush();
-  outgoing.flush();
-  EXPECT_EQ(sent, std::vector<int>{2}) << "once";
-  outgoing.set(send(3));
-  outgoing.set(send(4));
-  outgoing.flush();
-  EXPECT_EQ(sent.back(), 4);
-  outgoing.set(send(5));
-  outgoing.drop();
-  outgoing.flush();
-  EXPECT_EQ(sent.back(), 4);
 }
 
 rviz::Config parsed(const char* text) {
@@ -369,23 +342,52 @@ TEST(Text, whatIsTyped) {
   }
 }
 
-TEST(Worker, doesJobsInTheirOrderAndAnswersByMail) {
-  const auto mailbox = std::make_shared<Mailbox>();
+TEST(Worker, doesJobsInTheirOrderAndGivesAnswersWhenAsked) {
   std::vector<int> read;
   std::atomic<int> done{0};
+  Worker worker;
+  for (int i = 0; i < 5; ++i) {
+    worker.post([&, i] {
+      ++done;
+      return [&read, i] { read.push_back(i); };
+    });
+  }
+  worker.post([&]() -> Worker::Answer {
+    ++done;
+    return nullptr;
+  });
+  while (done < 6) std::this_thread::yield();
+  EXPECT_TRUE(read.empty()) << "answers wait until they are read";
+  while (read.size() < 5) worker.read();
+  EXPECT_EQ(read, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Worker, dropsWhatIsNoLongerWanted) {
+  std::atomic<bool> began{false}, release{false}, ended{false}, second{false};
+  bool answered = false;
   {
     Worker worker;
-    for (int i = 0; i < 5; ++i) {
-      worker.post([&, i] {
-        mailbox->post([&read, i] { read.push_back(i); });
-        ++done;
-      });
-    }
-    while (done < 5) std::this_thread::yield();
-    EXPECT_TRUE(read.empty()) << "letters wait until they are read";
-    mailbox->read();
+    worker.post([&] {
+      began = true;
+      while (!release) std::this_thread::yield();
+      return [&answered] { answered = true; };
+    });
+    worker.post([&]() -> Worker::Answer {
+      second = true;
+      return nullptr;
+    });
+    while (!began) std::this_thread::yield();
+    worker.drop();
+    worker.post([&]() -> Worker::Answer {
+      ended = true;
+      return nullptr;
+    });
+    release = true;
+    while (!ended) std::this_thread::yield();
+    worker.read();
   }
-  EXPECT_EQ(read, (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_FALSE(second) << "a job that had not begun";
+  EXPECT_FALSE(answered) << "the answer of one that had";
 }
 
 TEST(Worker, isLeftBehindWhenItHangs) {
@@ -396,6 +398,7 @@ TEST(Worker, isLeftBehindWhenItHangs) {
     worker.post([=] {
       *began = true;
       while (!*release) std::this_thread::yield();
+      return nullptr;
     });
     while (!*began) std::this_thread::yield();
   }  // comes back although the job has not
