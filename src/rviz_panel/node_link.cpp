@@ -242,7 +242,8 @@ void NodeLink::step() {
 
 void NodeLink::reset() {
   Q_EMIT resetting();
-  seek_.reset();  // asked for before
+  seek_.reset();                                      // asked for before
+  if (connection_) send(speed_, connection_->speed);  // so that t runs forwards from its start on
   call<std_srvs::Trigger>(names::kReset, {});
 }
 

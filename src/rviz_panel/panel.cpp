@@ -7,6 +7,7 @@
 #include <QFrame>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "background.h"
 #include "eye.h"

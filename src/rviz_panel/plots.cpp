@@ -145,10 +145,9 @@ Plots::Plots() : history_(kWindow, kCapacity) {
 
 void Plots::showLegend(bool has_truth) {
   const QString both = coloured("energy", colours::kEnergy) + ", " + coloured("momentum", colours::kMomentum);
-  const QString text = has_truth
-                           ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
-                           : "change of " + both + ", relative";
-  if (error_legend_->text() != text) error_legend_->setText(text);
+  error_legend_->setText(has_truth
+                             ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
+                             : "change of " + both + ", relative");
 }
 
 void Plots::add(const BodyState& state) {

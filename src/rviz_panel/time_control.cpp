@@ -115,8 +115,8 @@ void TimeControl::showTime(double time) {
 void TimeControl::showStart() {
   hold_off_.end();
   now_ = 0;
-  page_ =
-      TimePage(span_->currentData().toDouble(), both_sides_->isChecked());  // t = 0 is also the end of the page before
+  // Not turned to: t = 0 is also the end of the page before.
+  page_ = TimePage(span_->currentData().toDouble(), both_sides_->isChecked());
   showPage();
 }
 

@@ -107,16 +107,13 @@ QSlider* makeSlider(const QString& name, const QString& tip, int last, int singl
 
 ElidedLabel::ElidedLabel() {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setMinimumWidth(1);
 }
 
 void ElidedLabel::setFullText(const QString& text) {
   if (text == full_) return;
   full_ = text;
   elide();
-}
-
-QSize ElidedLabel::minimumSizeHint() const {
-  return {0, QLabel::minimumSizeHint().height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event) {

@@ -79,7 +79,6 @@ class ElidedLabel : public QLabel {
  public:
   ElidedLabel();
   void setFullText(const QString& text);
-  QSize minimumSizeHint() const override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
