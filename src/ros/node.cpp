@@ -166,7 +166,7 @@ void Node::publishStatus() {
   const ros::SteadyTime now = ros::SteadyTime::now();
   if (status_.publisher.getNumSubscribers() == 0 || now - status_.sent < kStatusPause) return;
   status_.sent = now;
-  status_.publisher.publish(statusMessage(*session_, parameters_.rate, status_.scenes));
+  status_.publisher.publish(statusMessage(*session_, parameters_.rate, timer_.waitsForClock(), status_.scenes));
 }
 
 void Node::bodiesChanged(const std::vector<std::string>& names, bool another_scene) {

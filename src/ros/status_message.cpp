@@ -1,8 +1,10 @@
 #include "poinsot/ros/status_message.h"
 
 #include <limits>
+#include <variant>
 
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/scene_list.h"
 #include "poinsot/ros/session_text.h"
 
 namespace poinsot::node {
@@ -23,9 +25,28 @@ BodyStatus bodyMessage(const session::BodyStatus& body) {
   return out;
 }
 
+Activity activityMessage(const session::Request& request) {
+  Activity out;
+  if (const auto* load = std::get_if<session::LoadScene>(&request)) {
+    out.kind = Activity::LOAD_SCENE;
+    out.scene = sceneName(load->scene);
+  } else if (const auto* method = std::get_if<session::SetMethod>(&request)) {
+    out.kind = Activity::SET_METHOD;
+    out.body = method->body;
+    out.method = method->method;
+  } else if (const auto* spin = std::get_if<session::SetSpin>(&request)) {
+    out.kind = Activity::SET_SPIN;
+    out.body = spin->body;
+  } else {  // all other requests are done at the next tick
+    out.kind = std::holds_alternative<session::Reset>(request) ? Activity::RESET : Activity::SEEK;
+  }
+  return out;
+}
+
 }  // namespace
 
-NodeStatus statusMessage(const session::Session& session, double rate, const std::vector<std::string>& scenes) {
+NodeStatus statusMessage(const session::Session& session, double rate, bool waiting_for_clock,
+                         const std::vector<std::string>& scenes) {
   const session::Status status = session.status();
   NodeStatus out;
   out.header.stamp = toTime(session.clock().stamp());
@@ -40,6 +61,8 @@ NodeStatus statusMessage(const session::Session& session, double rate, const std
   out.busy = textOf(status.activities);
   if (status.refusal) out.refused = textOf(*status.refusal);
   for (const session::BodyStatus& body : status.bodies) out.bodies.push_back(bodyMessage(body));
+  for (const session::Request& request : status.activities) out.activities.push_back(activityMessage(request));
+  out.waiting_for_clock = waiting_for_clock;
   return out;
 }
 

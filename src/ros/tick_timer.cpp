@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kLongestSleep{100};  // what does not wait for ticks is looked after so often
 constexpr std::chrono::milliseconds kLook{1};            // at a foreign clock
+constexpr std::chrono::seconds kStandsStill{1};          // a foreign clock that makes no tick due for so long,
+constexpr double kPeriodsStill = 3;                      // and for so many periods
 constexpr double kMostPeriodsBehind = 10;                // then the schedule is moved instead of caught up with
 const ros::Time kOwnClockStart(1, 0);                    // not zero, which ROS reads as "no time yet"
 
@@ -61,12 +63,21 @@ TickTimer::Wake TickTimer::waitForeign(const std::atomic<bool>& interrupted) {
       const bool behind = jumped_back || now - foreign_due_ > period;
       foreign_due_ = (behind ? now : foreign_due_) + period;
       foreign_last_ = now;
+      foreign_waited_ = {};
       return Wake::due;
     }
-    if (Steady::now() - begin >= kLongestSleep) return Wake::idle;
+    const Steady::duration waited = Steady::now() - begin;
+    if (waited >= kLongestSleep) {
+      foreign_waited_ += waited;
+      return Wake::idle;
+    }
     callbacks_.callAvailable(toWallDuration(kLook));
   }
   return Wake::ended;
+}
+
+bool TickTimer::waitsForClock() const {
+  return foreign_waited_ > std::max<std::chrono::duration<double>>(kStandsStill, kPeriodsStill * period_);
 }
 
 void TickTimer::countLateness(Steady::time_point due) {

@@ -2,42 +2,36 @@
 
 #include <poinsot/NodeStatus.h>
 
-#include <QElapsedTimer>
+#include <QComboBox>
+#include <QLabel>
 #include <QWidget>
 
-class QComboBox;
-class QLabel;
-class QLineEdit;
+#include "status.h"
+#include "widgets.h"
 
 namespace poinsot::rviz_panel {
 
+class NodeLink;
+
 /** Which body is looked at, which method moves it, and at which step. */
 class MethodChoice : public QWidget {
-  Q_OBJECT
-
  public:
-  explicit MethodChoice(QWidget* parent = nullptr);
+  explicit MethodChoice(NodeLink* link);
 
   void showStatus(const NodeStatus& status);
-  QString body() const;
-
- Q_SIGNALS:
-  void bodyChanged(const QString& body);
-  /** `step` in seconds; 0: whatever suits. */
-  void methodAsked(const QString& body, const QString& method, double step);
-  /** The user typed what is not a step. */
-  void refused(const QString& message);
+  QString body() const { return body_->currentText(); }
 
  private:
-  void askMethod();
+  void askMethod(double step);
   void askStep();
 
+  NodeLink* link_;
   QComboBox* body_;
   QComboBox* method_;
   QLabel* step_label_;
-  QLineEdit* step_;
+  LiveEdit* step_;
   NodeStatus status_;
-  QElapsedTimer since_asked_;
+  HoldOff hold_off_;
 };
 
 }  // namespace poinsot::rviz_panel

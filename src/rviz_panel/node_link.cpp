@@ -21,13 +21,21 @@ namespace {
 
 namespace names = node::names;
 
-constexpr int kPollEvery = 50;              // ms
-constexpr int kSilence = 1500;              // ms, after which a node counts as gone
-constexpr int kAttemptEvery = 2000;         // ms, from when the last attempt was ready to hear
-constexpr int kPatienceForListener = 3000;  // ms, after which what nobody listened to is dropped
-constexpr int kLongCall = 1000;             // ms
-constexpr int kMostCalls = 20;              // waiting to be answered
+constexpr int kPollEvery = 50;       // ms
+constexpr int kSilence = 1500;       // ms, after which a node counts as gone
+constexpr int kAttemptEvery = 2000;  // ms, from when the last attempt was ready to hear
+constexpr int kLongCall = 1000;      // ms
+constexpr int kMostCalls = 20;       // waiting to be answered
 constexpr int kStateQueue = 2000;
+
+/** Sends a number that waits to be sent, if somebody listens. */
+void send(std::optional<double>& number, ros::Publisher& publisher) {
+  if (!number || publisher.getNumSubscribers() == 0) return;
+  std_msgs::Float64 message;
+  message.data = *number;
+  publisher.publish(message);
+  number.reset();
+}
 
 }  // namespace
 
@@ -40,12 +48,8 @@ struct NodeLink::Connection {
     speed = private_handle.advertise<std_msgs::Float64>(names::kSpeed, 10);
     seek = private_handle.advertise<std_msgs::Float64>(names::kSeek, 10);
     viewpoint = private_handle.advertise<geometry_msgs::PointStamped>(names::kViewpoint, 10);
-    status = private_handle.subscribe<NodeStatus>(names::kStatus, 10, [to](const NodeStatus::ConstPtr& message) {
-      to->since_status_.start();
-      const bool is_new = !std::exchange(to->alive_, true);
-      if (is_new) Q_EMIT to->found();
-      Q_EMIT to->statusReceived(*message);
-    });
+    status = private_handle.subscribe<NodeStatus>(
+        names::kStatus, 10, [to](const NodeStatus::ConstPtr& message) { to->onStatus(*message); });
   }
 
   void watch(const std::string& body) {
@@ -71,7 +75,7 @@ struct NodeLink::Connection {
   ros::Subscriber status, state, description;
 };
 
-NodeLink::NodeLink(QObject* parent) : QObject(parent), mailbox_(std::make_shared<Mailbox>()) {
+NodeLink::NodeLink(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &NodeLink::poll);
   timer_.start(kPollEvery);
@@ -79,33 +83,34 @@ NodeLink::NodeLink(QObject* parent) : QObject(parent), mailbox_(std::make_shared
 
 NodeLink::~NodeLink() {
   calling_.drop();
-  subscribing_.post([connection = std::move(connection_)]() mutable { connection.reset(); });
+  subscribing_.post([connection = std::move(connection_)]() mutable {
+    connection.reset();
+    return nullptr;
+  });
 }
 
 void NodeLink::setNode(const QString& name) {
-  std::string error;
   const std::string wanted = name.trimmed().toStdString();
-  if (wanted.empty() || !ros::names::validate(wanted, error)) {
-    Q_EMIT refused(wanted.empty()
-                       ? "A node's name is needed, such as /poinsot."
-                       : QString("“%1” cannot be a node's name: %2").arg(name, QString::fromStdString(error)));
-    return;
-  }
   std::string resolved;
-  try {
-    resolved = ros::names::resolve(wanted);
-  } catch (const ros::InvalidNameException& invalid) {
-    Q_EMIT refused(QString("“%1” cannot be a node's name: %2").arg(name, invalid.what()));
+  std::string error;
+  if (wanted.empty()) {
+    error = "it is empty";
+  } else if (ros::names::validate(wanted, error)) {
+    try {
+      resolved = ros::names::resolve(wanted);
+    } catch (const ros::InvalidNameException& invalid) {
+      error = invalid.what();
+    }
+  }
+  if (resolved.empty()) {
+    Q_EMIT refused(
+        QString("Expected a node's name, such as /poinsot, got “%1”: %2").arg(name, QString::fromStdString(error)));
     return;
   }
   if (resolved == node_) return;
   node_ = resolved;
   body_.clear();
-  alive_ = false;
-  calling_.drop();
-  calls_ = 0;
-  ++generation_;
-  Q_EMIT lost();
+  giveUp();
   connectAnew();
 }
 
@@ -119,7 +124,26 @@ void NodeLink::follow() {
   if (!connection_) return;
   subscribing_.post([connection = connection_, body = body_] {
     if (body.empty() || ros::master::check()) connection->watch(body);
+    return nullptr;
   });
+}
+
+void NodeLink::onStatus(const NodeStatus& status) {
+  since_status_.start();
+  if (!std::exchange(alive_, true)) {
+    eye_.reset();
+    Q_EMIT found();
+  }
+  Q_EMIT statusReceived(status);
+}
+
+void NodeLink::giveUp() {
+  alive_ = false;
+  speed_.reset();
+  seek_.reset();
+  calling_.drop();
+  calls_ = 0;
+  Q_EMIT lost();
 }
 
 bool NodeLink::waiting() const {
@@ -127,19 +151,15 @@ bool NodeLink::waiting() const {
 }
 
 void NodeLink::poll() {
-  mailbox_->read();
-  if (connection_) {
-    const std::shared_ptr<Connection> connection = connection_;  // a slot may ask for another node
+  subscribing_.read();
+  calling_.read();
+  if (const std::shared_ptr<Connection> connection = connection_) {  // kept, as a slot may ask for another node
     connection->queue.callAvailable(ros::WallDuration(0));
+    send(speed_, connection->speed);
+    send(seek_, connection->seek);
   }
-  for (Outgoing* outgoing : {&speed_, &seek_, &viewpoint_}) flush(*outgoing);
   if (since_status_.isValid() && !since_status_.hasExpired(kSilence)) return;
-  if (std::exchange(alive_, false)) {
-    calling_.drop();
-    calls_ = 0;
-    ++generation_;
-    Q_EMIT lost();
-  }
+  if (alive_) giveUp();
   if (!connecting_ && (!since_attempt_.isValid() || since_attempt_.hasExpired(kAttemptEvery))) connectAnew();
 }
 
@@ -147,73 +167,44 @@ void NodeLink::connectAnew() {
   if (connecting_) return;  // adopting what is being made, one sees that another is wanted
   connecting_ = true;
   since_attempt_.start();
-  subscribing_.post(
-      [this, mailbox = mailbox_, node = node_, body = body_, old = std::exchange(connection_, nullptr)]() mutable {
-        old.reset();
-        std::shared_ptr<Connection> fresh;
-        if (ros::master::check()) {  // without a master, subscribing would wait for it
-          fresh = std::make_shared<Connection>(this, node);
-          fresh->watch(body);
-        }
-        mailbox->post([this, fresh, body]() mutable {
-          connecting_ = false;
-          since_attempt_.start();
-          if (fresh && fresh->node != node_) {
-            fresh.swap(connection_);
-            connectAnew();
-            return;
-          }
-          connection_ = std::move(fresh);
-          if (body != body_) follow();
-        });
-      });
-}
-
-void NodeLink::set(Outgoing& outgoing, std::function<bool()> send) {
-  outgoing.send = std::move(send);
-  outgoing.since_set.start();
-  if (!outgoing.since_sent.isValid() || outgoing.since_sent.hasExpired(kPollEvery)) flush(outgoing);
-}
-
-void NodeLink::flush(Outgoing& outgoing) {
-  if (!outgoing.send) return;
-  if (outgoing.send()) {
-    outgoing.send = nullptr;
-    outgoing.since_sent.start();
-  } else if (outgoing.since_set.hasExpired(kPatienceForListener)) {
-    outgoing.send = nullptr;
-  }
-}
-
-template <typename Message>
-void NodeLink::publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message) {
-  set(outgoing, [this, publisher, message] {
-    if (!connection_ || (connection_.get()->*publisher).getNumSubscribers() == 0) return false;
-    (connection_.get()->*publisher).publish(message);
-    return true;
+  subscribing_.post([this, node = node_, body = body_, old = std::exchange(connection_, nullptr)]() mutable {
+    old.reset();
+    std::shared_ptr<Connection> fresh;
+    if (ros::master::check()) {  // without a master, subscribing would wait for it
+      fresh = std::make_shared<Connection>(this, node);
+      fresh->watch(body);
+    }
+    return [this, fresh, body] {
+      connecting_ = false;
+      since_attempt_.start();
+      connection_ = fresh;
+      if (fresh && fresh->node != node_) {
+        connectAnew();
+      } else if (body != body_) {
+        follow();
+      }
+    };
   });
 }
 
 void NodeLink::setSpeed(double speed) {
-  std_msgs::Float64 message;
-  message.data = speed;
-  publish(speed_, &Connection::speed, message);
+  speed_ = speed;
 }
 
 void NodeLink::seek(double time) {
-  std_msgs::Float64 message;
-  message.data = time;
-  publish(seek_, &Connection::seek, message);
+  seek_ = time;
 }
 
-void NodeLink::setViewpoint(double x, double y, double z) {
+void NodeLink::setEye(const std::array<double, 3>& eye) {
+  if (eye_ == eye || !connection_ || connection_->viewpoint.getNumSubscribers() == 0) return;
+  eye_ = eye;
   geometry_msgs::PointStamped message;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kWorld;
-  message.point.x = x;
-  message.point.y = y;
-  message.point.z = z;
-  publish(viewpoint_, &Connection::viewpoint, message);
+  message.point.x = eye[0];
+  message.point.y = eye[1];
+  message.point.z = eye[2];
+  connection_->viewpoint.publish(message);
 }
 
 template <typename Service>
@@ -223,22 +214,19 @@ void NodeLink::call(const char* name, const typename Service::Request& request) 
     return;
   }
   if (calls_++ == 0) since_call_.start();
-  calling_.post([this, mailbox = mailbox_, full = node_ + "/" + name, request, generation = generation_] {
-    typename Service::Request question = request;
+  calling_.post([this, service = node_ + "/" + name, question = request]() mutable {
     typename Service::Response answer;
-    const bool reached = ros::service::call(full, question, answer);
-    mailbox->post([this, full, reached, answer, generation] {
-      if (generation != generation_) return;  // of a node that was given up meanwhile
+    const bool reached = ros::service::call(service, question, answer);
+    if (!reached) answer.message = "No answer from " + service + ".";
+    return [this, is_done = reached && answer.success, message = QString::fromStdString(answer.message)] {
       --calls_;
       since_call_.start();
-      if (!reached) {
-        Q_EMIT refused(QString("No answer from %1.").arg(QString::fromStdString(full)));
-      } else if (answer.success) {
-        Q_EMIT done(QString::fromStdString(answer.message));
+      if (is_done) {
+        Q_EMIT done(message);
       } else {
-        Q_EMIT refused(QString::fromStdString(answer.message));
+        Q_EMIT refused(message);
       }
-    });
+    };
   });
 }
 
@@ -253,7 +241,9 @@ void NodeLink::step() {
 }
 
 void NodeLink::reset() {
-  seek_.send = nullptr;  // asked for before
+  Q_EMIT resetting();
+  seek_.reset();                                      // asked for before
+  if (connection_) send(speed_, connection_->speed);  // so that t runs forwards from its start on
   call<std_srvs::Trigger>(names::kReset, {});
 }
 

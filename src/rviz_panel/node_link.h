@@ -11,7 +11,6 @@
 #include <QString>
 #include <QTimer>
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,12 +39,15 @@ class NodeLink : public QObject {
 
   /** The body whose state and description are wanted; empty: none. */
   void setBody(const QString& body);
+  QString body() const { return QString::fromStdString(body_); }
 
   /** Did the node's status arrive lately? */
   bool alive() const { return alive_; }
   /** Has the node taken more than a moment over something it was asked for? */
   bool waiting() const;
 
+  /** Says that what the user asked for is not even sent. */
+  void refuse(const QString& why) { Q_EMIT refused(why); }
   void setPaused(bool paused);
   void step();
   void reset();
@@ -56,8 +58,8 @@ class NodeLink : public QObject {
   // Topics: no more than twenty messages a second each, of which the last one is always sent.
   void setSpeed(double speed);
   void seek(double time);
-  /** Where the viewer's eye is [m], in the world frame. */
-  void setViewpoint(double x, double y, double z);
+  /** Where the viewer's eye is [m], in the world frame; not sent again while it is there. */
+  void setEye(const std::array<double, 3>& eye);
 
  Q_SIGNALS:
   void found();
@@ -68,25 +70,18 @@ class NodeLink : public QObject {
   /** What became of a service call, in the node's words. */
   void done(const QString& message);
   void refused(const QString& message);
+  /** A reset is asked for: t is to be 0, and to run forwards. */
+  void resetting();
 
  private:
   struct Connection;
 
-  /** Keeps the last of what is to be published until somebody listens, and paces it. */
-  struct Outgoing {
-    std::function<bool()> send;  ///< empty: nothing to send; false: nobody listens yet
-    QElapsedTimer since_set;
-    QElapsedTimer since_sent;
-  };
-
   void poll();
+  void onStatus(const NodeStatus& status);
+  /** Gives up what was asked of the node. */
+  void giveUp();
   void connectAnew();
   void follow();
-  void set(Outgoing& outgoing, std::function<bool()> send);
-  void flush(Outgoing& outgoing);
-  /** Sends the message as soon as somebody listens, unless another of its kind comes first. */
-  template <typename Message>
-  void publish(Outgoing& outgoing, ros::Publisher Connection::*publisher, const Message& message);
   template <typename Service>
   void call(const char* name, const typename Service::Request& request);
 
@@ -97,12 +92,11 @@ class NodeLink : public QObject {
   QElapsedTimer since_status_;
   QElapsedTimer since_attempt_;
   QElapsedTimer since_call_;
-  int calls_ = 0;
-  int generation_ = 0;  ///< of the answers that still matter
-  Outgoing speed_, seek_, viewpoint_;
+  int calls_ = 0;                             ///< that have not been answered
+  std::optional<std::array<double, 3>> eye_;  ///< that the node has been told
+  std::optional<double> speed_, seek_;        ///< to be sent
   QTimer timer_;
   std::shared_ptr<Connection> connection_;
-  std::shared_ptr<Mailbox> mailbox_;
   Worker subscribing_;
   Worker calling_;
 };

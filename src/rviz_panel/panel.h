@@ -1,28 +1,25 @@
 #pragma once
 
+#include <poinsot/BodyState.h>
+#include <poinsot/NodeStatus.h>
 #include <rviz/panel.h>
 
-#include <QElapsedTimer>
+#include <QLabel>
 #include <QTimer>
 #include <optional>
 
-#include "node_link.h"
-#include "stamp_watch.h"
-
-class QFrame;
-class QLabel;
-class QLineEdit;
+#include "widgets.h"
 
 namespace poinsot::rviz_panel {
 
-class ElidedLabel;
 class MethodChoice;
+class NodeLink;
+class Notice;
 class Plots;
 class ReadOuts;
-class SceneChoice;
-class Transport;
+class ResetGuard;
+class TimeControl;
 class ViewChoice;
-class Viewpoint;
 
 /** Leads one Poinsot node from within RViz, and reads out what its bodies do. See doc/panel.md. */
 class Panel : public rviz::Panel {
@@ -36,45 +33,33 @@ class Panel : public rviz::Panel {
   void save(rviz::Config config) const override;
   QSize sizeHint() const override;
 
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
-
  private:
-  void build();
-  void wire();
+  /** All that needs a node. */
+  QWidget* makeControls();
+  QWidget* makePage();
+  void listen();
   void onStatus(const NodeStatus& status);
   void onState(const BodyState& state);
   void onLost();
+  void takeTypedNode();
   void refresh();
-  /** Follows the state of the chosen body, while anybody can see it. */
-  void follow();
-  void say(const QString& message, bool trouble);
-  void showNotice();
-  void showNode();
+  /** Forgets what the body did. */
+  void clear();
 
   NodeLink* link_;
-  Viewpoint* viewpoint_ = nullptr;
   QLabel* banner_;
-  SceneChoice* scene_;
-  ViewChoice* views_;
-  QWidget* controls_;  ///< all that needs a node
-  Transport* transport_;
+  QWidget* controls_;
+  TimeControl* time_;
   MethodChoice* method_;
   ReadOuts* read_outs_;
   Plots* plots_;
+  ViewChoice* views_;
   QLineEdit* node_;
-  QLabel* notice_;
-
+  Notice* notice_;
+  ResetGuard* reset_guard_;
   QTimer timer_;
   std::optional<BodyState> newest_;
-  std::optional<QString> scene_name_;  ///< of the last status
-  QString busy_, refused_;             ///< of the last status
-  QString said_;                       ///< what a service answered
-  bool said_trouble_ = false;
-  StampWatch stamps_;
-  QElapsedTimer since_said_;
-  QElapsedTimer since_idle_;  ///< since the node had nothing to work out
+  std::optional<QString> scene_;  ///< of the last status
 };
 
 }  // namespace poinsot::rviz_panel

@@ -11,7 +11,6 @@
 #include <qwt_symbol.h>
 
 #include <Eigen/Geometry>
-#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -44,11 +43,6 @@ class Ticks : public QwtScaleDraw {
   bool logarithmic_;
 };
 
-/** Scale divisions of which each tick is wanted. */
-QwtScaleDiv division(double from, double to, const QList<double>& major) {
-  return QwtScaleDiv(from, to, {}, {}, major);
-}
-
 QwtPlot* makePlot(const QString& name, const QString& tip, bool logarithmic) {
   auto* const plot = new QwtPlot;
   describe(plot, name, tip);
@@ -60,8 +54,7 @@ QwtPlot* makePlot(const QString& name, const QString& tip, bool logarithmic) {
   canvas->setFrameStyle(QFrame::NoFrame);
   plot->plotLayout()->setAlignCanvasToScales(true);
   plot->plotLayout()->setCanvasMargin(2);
-  QFont small = plot->font();
-  small.setPointSizeF(0.8 * small.pointSizeF());
+  setLetters(plot, 0.8);
   for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
     auto* const ticks = new Ticks(logarithmic && axis == QwtPlot::yLeft);
     ticks->enableComponent(QwtAbstractScaleDraw::Backbone, false);
@@ -70,7 +63,7 @@ QwtPlot* makePlot(const QString& name, const QString& tip, bool logarithmic) {
     ticks->setTickLength(QwtScaleDiv::MinorTick, 0);
     if (axis == QwtPlot::yLeft) ticks->setMinimumExtent(kAxisWidth);
     plot->setAxisScaleDraw(axis, ticks);
-    plot->setAxisFont(axis, small);
+    plot->setAxisFont(axis, plot->font());
     plot->axisWidget(axis)->setMargin(0);
   }
   if (logarithmic) plot->setAxisScaleEngine(QwtPlot::yLeft, new QwtLogScaleEngine);
@@ -90,10 +83,7 @@ QwtPlotCurve* makeCurve(QwtPlot* plot, const QColor& colour, double width) {
 }
 
 QLabel* makeLegend(const QString& text) {
-  auto* const legend = new QLabel(text);
-  QFont small = legend->font();
-  small.setPointSizeF(0.9 * small.pointSizeF());
-  legend->setFont(small);
+  QLabel* const legend = makeLabel(text, 0.9);
   legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return legend;
 }
@@ -102,11 +92,14 @@ QString coloured(const QString& text, const QColor& colour) {
   return QString("<b><span style='color:%1'>%2</span></b>").arg(colour.name(), text);
 }
 
-QPolygonF polygon(const std::vector<Point>& points) {
-  QPolygonF out;
-  out.reserve(static_cast<int>(points.size()));
-  for (const Point& point : points) out << QPointF(point.x, point.y);
-  return out;
+/** Draws the points of each curve, over times `from` to `to`, and just the ticks of the scale. */
+void draw(QwtPlot* plot, const std::array<QwtPlotCurve*, 3>& curves, const std::array<QPolygonF, 3>& points,
+          double from, double to, const QwtScaleDiv& scale) {
+  plot->setAxisScaleDiv(QwtPlot::yLeft, scale);
+  plot->setAxisScale(QwtPlot::xBottom, from, to);
+  const int columns = std::max(50, plot->canvas()->width());
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i]->setSamples(thinned(points[i], columns));
+  plot->replot();
 }
 
 /** The least of 1, 2, 5, 10, … times a power of ten that is no less than a positive value. */
@@ -120,10 +113,8 @@ double roundUp(double value) {
 
 }  // namespace
 
-Plots::Plots(QWidget* parent) : QWidget(parent), history_(kWindow, kCapacity) {
-  auto* const layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(1);
+Plots::Plots() : history_(kWindow, kCapacity) {
+  auto* const layout = makeLayout<QVBoxLayout>(this, 1);
   omega_plot_ =
       makePlot("omega_plot", "The angular velocity of the body in its principal axes, over simulation time.", false);
   error_plot_ =
@@ -154,26 +145,17 @@ Plots::Plots(QWidget* parent) : QWidget(parent), history_(kWindow, kCapacity) {
 
 void Plots::showLegend(bool has_truth) {
   const QString both = coloured("energy", colours::kEnergy) + ", " + coloured("momentum", colours::kMomentum);
-  const QString text = has_truth
-                           ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
-                           : "change of " + both + ", relative";
-  if (error_legend_->text() != text) error_legend_->setText(text);
+  error_legend_->setText(has_truth
+                             ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
+                             : "change of " + both + ", relative");
 }
 
 void Plots::add(const BodyState& state) {
   showLegend(!std::isnan(state.attitude_error));
-  Sample sample;
-  sample.stamp = state.header.stamp.toSec();
-  sample.time = state.time;
-  sample.segment = state.segment;
-  sample.omega = {state.omega_body.x, state.omega_body.y, state.omega_body.z};
-  sample.energy_drift = state.energy_drift;
-  sample.momentum_drift = state.momentum_drift;
-  sample.attitude_error = state.attitude_error;
-  if (!history_.empty() && history_[history_.size() - 1].segment != sample.segment) omega_bound_ = 0;
-  changed_ = changed_ || history_.empty() || history_[history_.size() - 1].time != sample.time ||
-             history_[history_.size() - 1].segment != sample.segment;
-  history_.add(sample);
+  const bool begins = history_.empty() || history_.newest().segment != state.segment;
+  if (begins) omega_bound_ = 0;
+  changed_ = changed_ || begins || history_.newest().time != state.time;
+  history_.add(state);
 }
 
 void Plots::setPrincipalAxes(const BodyDescription& description) {
@@ -204,43 +186,39 @@ void Plots::refresh() {
   const double least = 1e-9 * std::max({1.0, std::abs(from), std::abs(to)});
   if (to - from < least) to = from + std::max(least, 1.0);
   const double room = kRoom * (to - from);  // for the dots at the tips
-  const bool backwards = history_.size() > 1 && history_[history_.size() - 1].time < history_[history_.size() - 2].time;
+  const bool backwards = history_.size() > 1 && history_.newest().time < history_[history_.size() - 2].time;
   (backwards ? from : to) += backwards ? -room : room;
   drawOmega(from, to);
   drawErrors(from, to);
 }
 
 void Plots::drawOmega(double from, double to) {
-  std::array<std::vector<Point>, 3> points;
+  std::array<QPolygonF, 3> points;
   double largest = 0;
   for (std::size_t k = 0; k < history_.size(); ++k) {
-    const Eigen::Vector3d omega = to_principal_ * history_[k].omega;
+    const geometry_msgs::Vector3& body = history_[k].omega_body;
+    const Eigen::Vector3d omega = to_principal_ * Eigen::Vector3d(body.x, body.y, body.z);
     largest = std::max(largest, omega.cwiseAbs().maxCoeff());
-    for (int i = 0; i < 3; ++i) points[i].push_back({history_[k].time, omega[i]});
+    for (int i = 0; i < 3; ++i) points[i] << QPointF(history_[k].time, omega[i]);
   }
   if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
   const double bound = roundUp(1.02 * largest);
   if (bound > omega_bound_ || bound < omega_bound_ / 4) omega_bound_ = bound;
-  omega_plot_->setAxisScaleDiv(QwtPlot::yLeft, division(-omega_bound_, omega_bound_, {-omega_bound_, 0, omega_bound_}));
-  omega_plot_->setAxisScale(QwtPlot::xBottom, from, to);
-  const int columns = std::max(50, omega_plot_->canvas()->width());
-  for (int i = 0; i < 3; ++i) {
-    omega_curves_[i]->setSamples(polygon(thinned(points[i], columns)));
-    omega_tips_[i]->setSamples(points[i].empty() ? QPolygonF() : polygon({points[i].back()}));
-  }
-  omega_plot_->replot();
+  for (int i = 0; i < 3; ++i) omega_tips_[i]->setSamples(points[i].mid(points[i].size() - 1));
+  draw(omega_plot_, omega_curves_, points, from, to,
+       QwtScaleDiv(-omega_bound_, omega_bound_, {}, {}, {-omega_bound_, 0, omega_bound_}));
 }
 
 void Plots::drawErrors(double from, double to) {
-  std::array<std::vector<Point>, 3> points;
+  std::array<QPolygonF, 3> points;
   double largest = kLowestTop;
   for (std::size_t k = 0; k < history_.size(); ++k) {
-    const Sample& sample = history_[k];
-    const std::array<double, 3> values = {sample.energy_drift, sample.momentum_drift, sample.attitude_error};
+    const BodyState& state = history_[k];
+    const std::array<double, 3> values = {state.energy_drift, state.momentum_drift, state.attitude_error};
     for (int i = 0; i < 3; ++i) {
       const double size = std::abs(values[i]);
       if (!std::isfinite(size)) continue;
-      points[i].push_back({sample.time, std::max(size, kFloor)});
+      points[i] << QPointF(state.time, std::max(size, kFloor));
       largest = std::max(largest, size);
     }
   }
@@ -248,11 +226,7 @@ void Plots::drawErrors(double from, double to) {
   const int top = 3 * static_cast<int>(std::ceil((std::log10(largest) + 17) / 3)) - 17;
   QList<double> ticks;
   for (int decade = -17; decade <= top; decade += top > 1 ? 6 : 3) ticks << std::pow(10, decade);
-  error_plot_->setAxisScaleDiv(QwtPlot::yLeft, division(kFloor / 2, 2 * std::pow(10, top), ticks));
-  error_plot_->setAxisScale(QwtPlot::xBottom, from, to);
-  const int columns = std::max(50, error_plot_->canvas()->width());
-  for (int i = 0; i < 3; ++i) error_curves_[i]->setSamples(polygon(thinned(points[i], columns)));
-  error_plot_->replot();
+  draw(error_plot_, error_curves_, points, from, to, QwtScaleDiv(kFloor / 2, 2 * std::pow(10, top), {}, {}, ticks));
 }
 
 }  // namespace poinsot::rviz_panel

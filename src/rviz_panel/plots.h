@@ -4,24 +4,23 @@
 #include <poinsot/BodyState.h>
 
 #include <Eigen/Core>
+#include <QLabel>
 #include <QWidget>
 #include <array>
 
 #include "history.h"
 
-class QLabel;
 class QwtPlot;
 class QwtPlotCurve;
 
 namespace poinsot::rviz_panel {
 
-/** The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off.
+/**
+ * The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off.
  */
 class Plots : public QWidget {
-  Q_OBJECT
-
  public:
-  explicit Plots(QWidget* parent = nullptr);
+  Plots();
 
   void add(const BodyState& state);
   void setPrincipalAxes(const BodyDescription& description);

@@ -3,24 +3,20 @@
 #include <poinsot/BodyState.h>
 #include <poinsot/NodeStatus.h>
 
+#include <QGridLayout>
+#include <QLabel>
 #include <QWidget>
-#include <optional>
-#include <string>
 
-class QGridLayout;
-class QLabel;
+#include "widgets.h"
 
 namespace poinsot::rviz_panel {
 
-class ElidedLabel;
-
-/** What one body's motion amounts to, in figures: energy, momentum, their drift, the true error, flips, cost, regime.
+/**
+ * What one body's motion amounts to, in figures: energy, momentum, their drift, the true error, flips, cost, regime.
  */
 class ReadOuts : public QWidget {
-  Q_OBJECT
-
  public:
-  explicit ReadOuts(QWidget* parent = nullptr);
+  ReadOuts();
 
   void showStatus(const NodeStatus& status, const QString& body);
   void showState(const BodyState& state);
@@ -28,7 +24,9 @@ class ReadOuts : public QWidget {
   void clear();
 
  private:
-  QLabel* addRow(const QString& title, const QString& name, const QString& tip);
+  QLabel* addTitle(int row, const QString& text, const QString& tip);
+  QLabel* addRow(int row, const QString& title, const QString& name, const QString& tip, int columns = 1);
+  QLabel* addValue(int row, int column, const QString& name, const QString& tip, int columns = 1);
 
   QGridLayout* grid_;
   QLabel* energy_;

@@ -2,30 +2,21 @@
 
 #include <OgreMaterialManager.h>
 #include <OgreMeshManager.h>
-#include <rviz/display.h>
-#include <rviz/display_group.h>
 #include <rviz/visualization_manager.h>
 
 #include <string>
 #include <vector>
 
+#include "displays.h"
+
 namespace poinsot::rviz_panel {
 namespace {
 
-constexpr int kLookEvery = 200;  // ms
 constexpr int kTryEvery = 1000;  // ms
 constexpr int kMostTries = 5;
 const char* const kOurs = "package://poinsot/";  // what the names of our meshes and their materials begin with
 
-}  // namespace
-
-ResetGuard::ResetGuard(rviz::VisualizationManager* manager, QObject* parent) : QObject(parent), manager_(manager) {
-  connect(manager, &rviz::VisualizationManager::preUpdate, this, &ResetGuard::removeStrayMaterials);
-  connect(&timer_, &QTimer::timeout, this, &ResetGuard::refillDisplays);
-  timer_.start(kLookEvery);
-}
-
-void ResetGuard::removeStrayMaterials() {
+void removeStrayMaterials() {
   std::vector<Ogre::ResourceHandle> strays;
   auto all = Ogre::MaterialManager::getSingleton().getResourceIterator();
   while (all.hasMoreElements()) {
@@ -38,10 +29,14 @@ void ResetGuard::removeStrayMaterials() {
   for (const Ogre::ResourceHandle stray : strays) Ogre::MaterialManager::getSingleton().remove(stray);
 }
 
+}  // namespace
+
+ResetGuard::ResetGuard(rviz::VisualizationManager* manager, QObject* parent) : QObject(parent), manager_(manager) {
+  connect(manager, &rviz::VisualizationManager::preUpdate, this, &removeStrayMaterials);
+}
+
 void ResetGuard::refillDisplays() {
-  rviz::DisplayGroup* const displays = manager_->getRootDisplayGroup();
-  for (int i = 0; i < displays->numDisplays(); ++i) {
-    rviz::Display* const display = displays->getDisplayAt(i);
+  for (rviz::Display* const display : displaysOf(*manager_->getRootDisplayGroup())) {
     const QString name = display->getName();
     if (display->getClassId() != "rviz/MarkerArray" || !display->isEnabled()) {
       filled_.remove(name);

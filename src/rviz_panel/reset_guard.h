@@ -3,7 +3,6 @@
 #include <QElapsedTimer>
 #include <QHash>
 #include <QObject>
-#include <QTimer>
 
 namespace rviz {
 class VisualizationManager;
@@ -21,10 +20,11 @@ namespace poinsot::rviz_panel {
  * displays take what has arrived.
  */
 class ResetGuard : public QObject {
-  Q_OBJECT
-
  public:
   ResetGuard(rviz::VisualizationManager* manager, QObject* parent);
+
+  /** Looks for displays that are to be filled again. To be called several times a second. */
+  void refillDisplays();
 
  private:
   struct Refill {
@@ -32,12 +32,8 @@ class ResetGuard : public QObject {
     QElapsedTimer since_last;
   };
 
-  void removeStrayMaterials();
-  void refillDisplays();
-
   rviz::VisualizationManager* const manager_;
   QHash<QString, Refill> filled_;  ///< displays that have held markers since they were switched on, by name
-  QTimer timer_;
 };
 
 }  // namespace poinsot::rviz_panel

@@ -1,14 +1,31 @@
 #pragma once
 
-#include "poinsot/NodeStatus.h"
+#include <poinsot/NodeStatus.h>
+
+#include <QElapsedTimer>
+#include <QString>
 
 namespace poinsot::rviz_panel {
 
-inline constexpr int kHoldOff = 700;  // ms: for so long what the user has just chosen is not overwritten
+/** Whether another scene, method or spin, or a reset, is being worked out; a seek changes none of these. */
+bool isChanging(const NodeStatus& status);
 
-/** Whether another scene, method or spin is being worked out; a seek, which a status calls busy too, changes none. */
-inline bool changing(const NodeStatus& status) {
-  return !status.busy.empty() && status.busy != "seek";
-}
+/** What is being worked out, as "method rk4 of wing and seek"; empty when nothing is. */
+QString activityText(const NodeStatus& status);
+
+/** The status of the body of that name; null where there is none. */
+const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name);
+
+/** Keeps what the user has just chosen from being overwritten by a status from before that. */
+class HoldOff {
+ public:
+  void begin() { since_.start(); }
+  void end() { since_.invalidate(); }
+  /** Whether it was begun a moment ago; it does not come to its end while what was chosen is being worked out. */
+  bool holds(bool at_work = false);
+
+ private:
+  QElapsedTimer since_;
+};
 
 }  // namespace poinsot::rviz_panel

@@ -1,7 +1,7 @@
 #include "text.h"
 
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace poinsot::rviz_panel::text {
 namespace {
@@ -18,7 +18,7 @@ QString time(double value) {
 }
 
 QString seconds(double value) {
-  if (std::isnan(value)) return "–";
+  if (std::isnan(value)) return kUnknown;
   if (std::isinf(value)) return value > 0 ? "∞ s" : "−∞ s";
   return time(value) + " s";
 }
@@ -30,27 +30,22 @@ double number(const QString& text, bool* ok) {
 }
 
 QString withPrefix(double value, const QString& unit, int digits) {
-  if (!std::isfinite(value)) return "–";
-  struct Prefix {
-    double factor;
-    const char* letter;
-  };
-  static constexpr std::array<Prefix, 9> kPrefixes = {
-      {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};
+  if (!std::isfinite(value)) return kUnknown;
+  static constexpr std::pair<double, const char*> kPrefixes[] = {
+      {1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}};
   const double size = std::abs(value);
   if (size == 0) return "0 " + unit;
-  if (size >= 1e15 || size < 1e-12) return withMinus(QString::number(value, 'g', digits)) + " " + unit;
-  for (const Prefix& prefix : kPrefixes) {
-    if (size < prefix.factor) continue;
-    QString number = QString::number(value / prefix.factor, 'g', digits);
-    if (number.contains('e')) number = QString::number(value / prefix.factor, 'f', 0);  // 999.9 in three digits
-    return withMinus(number) + " " + prefix.letter + unit;
+  for (const auto& [factor, letter] : kPrefixes) {
+    if (size < factor || size >= 1e15) continue;
+    QString number = plain(value / factor, digits);
+    if (number.contains('e')) number = withMinus(QString::number(value / factor, 'f', 0));  // 999.9 in three digits
+    return number + " " + letter + unit;
   }
-  return withMinus(QString::number(value, 'g', digits)) + " " + unit;
+  return plain(value, digits) + " " + unit;
 }
 
 QString small(double value) {
-  if (std::isnan(value)) return "–";
+  if (std::isnan(value)) return kUnknown;
   if (std::abs(value) >= 1e-3 && std::abs(value) < 1e4) return plain(value, 3);
   const QString number = QString::number(value, 'e', 1);
   const int e = number.indexOf('e');
@@ -58,11 +53,17 @@ QString small(double value) {
 }
 
 QString speed(double value) {
-  return "×" + withMinus(QString::number(value, 'g', 3));
+  return "×" + plain(value, 3);
+}
+
+QStringList list(const std::vector<std::string>& texts) {
+  QStringList out;
+  for (const std::string& text : texts) out << QString::fromStdString(text);
+  return out;
 }
 
 QString plain(double value, int digits) {
-  if (std::isnan(value)) return "–";
+  if (std::isnan(value)) return kUnknown;
   return withMinus(QString::number(value, 'g', digits));
 }
 

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
+#include <string>
+#include <vector>
 
 /** Figures in words short enough for a narrow panel. */
 namespace poinsot::rviz_panel::text {
+
+inline const QString kUnknown = "–";
 
 /** A running time in seconds, "12.35", without its unit; large ones with as many digits as doubles have. */
 QString time(double value);
@@ -22,6 +27,8 @@ QString small(double value);
 
 /** "×2", "×0.05", "×−1". */
 QString speed(double value);
+
+QStringList list(const std::vector<std::string>& texts);
 
 /** Up to `digits` significant digits, a true minus sign. */
 QString plain(double value, int digits = 6);

@@ -1,8 +1,8 @@
 #include "widgets.h"
 
 #include <QAbstractItemView>
-#include <QComboBox>
 #include <QEvent>
+#include <QFont>
 #include <QKeyEvent>
 #include <QProxyStyle>
 #include <QResizeEvent>
@@ -31,6 +31,12 @@ class WheelGuard : public QObject {
   }
 };
 
+/** Lets the wheel scroll the panel rather than change a widget that does not have the focus. */
+void leaveWheelToPanel(QWidget* widget) {
+  widget->setFocusPolicy(Qt::StrongFocus);
+  widget->installEventFilter(new WheelGuard(widget));
+}
+
 QStringList itemsOf(const QComboBox& combo) {
   QStringList out;
   for (int i = 0; i < combo.count(); ++i) out << combo.itemText(i);
@@ -45,25 +51,69 @@ void describe(QWidget* widget, const QString& name, const QString& tip) {
   widget->setAccessibleDescription(tip);
 }
 
-JumpSlider::JumpSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
-  auto* const style = new JumpStyle;
-  style->setParent(this);
-  setStyle(style);
-  leaveWheelToPanel(this);
+void setLetters(QWidget* widget, double size, bool bold) {
+  QFont font = widget->font();
+  font.setPointSizeF(size * font.pointSizeF());
+  font.setBold(bold);
+  widget->setFont(font);
 }
 
-ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+QLabel* makeLabel(const QString& text, double size, bool bold) {
+  auto* const label = new QLabel(text);
+  setLetters(label, size, bold);
+  return label;
+}
+
+QLabel* labelOf(QWidget* widget, const QString& text) {
+  auto* const label = new QLabel(text);
+  label->setBuddy(widget);
+  return label;
+}
+
+QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide) {
+  auto* const row = makeLayout<QHBoxLayout>();
+  for (std::size_t i = 0; i < widgets.size(); ++i) {
+    if (widgets[i]) {
+      row->addWidget(widgets[i], i == wide ? 1 : 0);
+    } else {
+      row->addStretch(1);
+    }
+  }
+  return row;
+}
+
+QComboBox* makeList(const QString& name, const QString& tip, int letters) {
+  auto* const list = new QComboBox;
+  describe(list, name, tip);
+  leaveWheelToPanel(list);
+  list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  list->setMinimumContentsLength(letters);
+  list->setMaxVisibleItems(30);
+  return list;
+}
+
+QSlider* makeSlider(const QString& name, const QString& tip, int last, int single_step, int page_step) {
+  auto* const slider = new QSlider(Qt::Horizontal);
+  describe(slider, name, tip);
+  auto* const style = new JumpStyle;
+  style->setParent(slider);
+  slider->setStyle(style);
+  leaveWheelToPanel(slider);
+  slider->setRange(0, last);
+  slider->setSingleStep(single_step);
+  slider->setPageStep(page_step);
+  return slider;
+}
+
+ElidedLabel::ElidedLabel() {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setMinimumWidth(1);
 }
 
 void ElidedLabel::setFullText(const QString& text) {
   if (text == full_) return;
   full_ = text;
   elide();
-}
-
-QSize ElidedLabel::minimumSizeHint() const {
-  return {0, QLabel::minimumSizeHint().height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event) {
@@ -75,11 +125,6 @@ void ElidedLabel::elide() {
   const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width());
   setText(shown);
   setToolTip(shown == full_ ? QString() : full_);
-}
-
-void leaveWheelToPanel(QWidget* widget) {
-  widget->setFocusPolicy(Qt::StrongFocus);
-  widget->installEventFilter(new WheelGuard(widget));
 }
 
 void showChoices(QComboBox* combo, const QStringList& choices, const QString& current) {
@@ -133,6 +178,11 @@ void showText(QLineEdit* edit, const QString& text) {
   if (edit->hasFocus() && edit->isModified()) return;
   if (edit->text() == text) return;
   edit->setText(text);  // which also clears "modified"
+}
+
+void showPosition(QSlider* slider, int position) {
+  const QSignalBlocker quiet(slider);
+  slider->setValue(position);
 }
 
 }  // namespace poinsot::rviz_panel

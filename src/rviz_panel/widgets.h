@@ -1,13 +1,15 @@
 #pragma once
 
+#include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
-
-class QComboBox;
+#include <cstddef>
+#include <vector>
 
 /** Small things that the parts of the panel share. */
 namespace poinsot::rviz_panel {
@@ -15,13 +17,40 @@ namespace poinsot::rviz_panel {
 /** Names a widget for tests and style sheets, and gives it a tooltip and what screen readers say. */
 void describe(QWidget* widget, const QString& name, const QString& tip);
 
-/** A slider whose handle jumps to where one clicks. */
-class JumpSlider : public QSlider {
-  Q_OBJECT
+/** A layout without margins, of a widget or for another layout. */
+template <typename Layout>
+Layout* makeLayout(QWidget* of = nullptr, int spacing = 4) {
+  auto* const layout = new Layout(of);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(spacing);
+  return layout;
+}
 
- public:
-  explicit JumpSlider(QWidget* parent = nullptr);
-};
+template <typename Button>
+Button* makeButton(const QString& text, const QString& name, const QString& tip) {
+  auto* const button = new Button;
+  button->setText(text);
+  describe(button, name, tip);
+  return button;
+}
+
+/** A label whose letters are so many times as large as others. */
+QLabel* makeLabel(const QString& text, double size = 1, bool bold = false);
+
+/** A label whose underlined letter leads to a widget. */
+QLabel* labelOf(QWidget* widget, const QString& text);
+
+/** A list of at least so many letters' width. */
+QComboBox* makeList(const QString& name, const QString& tip, int letters);
+
+/** A slider from 0 to `last`, whose handle jumps to where one clicks. */
+QSlider* makeSlider(const QString& name, const QString& tip, int last, int single_step, int page_step);
+
+/** Widgets side by side, null for free room. The one at place `wide` is given what room is left. */
+QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide = 1);
+
+/** Makes the letters of a widget so many times as large. */
+void setLetters(QWidget* widget, double size, bool bold = false);
 
 /**
  * A line that shows what changes by itself, and can be typed over: from a click on it stays as it is, all of it
@@ -47,12 +76,9 @@ class LiveEdit : public QLineEdit {
 
 /** A label that never asks for more room than there is: what does not fit is shown as "…", and in full as a tooltip. */
 class ElidedLabel : public QLabel {
-  Q_OBJECT
-
  public:
-  explicit ElidedLabel(QWidget* parent = nullptr);
+  ElidedLabel();
   void setFullText(const QString& text);
-  QSize minimumSizeHint() const override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -62,13 +88,13 @@ class ElidedLabel : public QLabel {
   QString full_;
 };
 
-/** Lets the wheel scroll the panel rather than change a widget that does not have the focus. */
-void leaveWheelToPanel(QWidget* widget);
-
 /** Shows these choices, the current one chosen, without a signal. Nothing happens while one of them is being picked. */
 void showChoices(QComboBox* combo, const QStringList& choices, const QString& current);
 
 /** Shows a text unless the user is at it. */
 void showText(QLineEdit* edit, const QString& text);
+
+/** Shows a position without a signal. */
+void showPosition(QSlider* slider, int position);
 
 }  // namespace poinsot::rviz_panel

@@ -1,62 +1,48 @@
 #include "worker.h"
 
-#include <chrono>
-#include <thread>
+#include <QRunnable>
 #include <utility>
 
 namespace poinsot::rviz_panel {
+namespace {
 
-void Mailbox::post(std::function<void()> letter) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  letters_.push_back(std::move(letter));
-}
+constexpr int kPatience = 1000;  // ms
 
-void Mailbox::read() {
-  std::deque<std::function<void()>> letters;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    letters.swap(letters_);
-  }
-  for (const auto& letter : letters) letter();
-}
+class Task : public QRunnable {
+ public:
+  explicit Task(std::function<void()> act) : act_(std::move(act)) {}
+  void run() override { act_(); }
 
-Worker::Worker() : shared_(std::make_shared<Shared>()) {
-  std::thread(&Worker::work, shared_).detach();
-}
+ private:
+  std::function<void()> act_;
+};
+
+}  // namespace
 
 Worker::~Worker() {
-  std::unique_lock<std::mutex> lock(shared_->mutex);
-  shared_->stop = true;
-  shared_->changed.notify_all();
-  shared_->changed.wait_for(lock, std::chrono::seconds(1), [this] { return shared_->ended; });
+  if (pool_->waitForDone(kPatience)) delete pool_;  // its destructor would wait for a job that hangs
 }
 
-void Worker::post(std::function<void()> job) {
-  const std::lock_guard<std::mutex> lock(shared_->mutex);
-  shared_->jobs.push_back(std::move(job));
-  shared_->changed.notify_all();
+void Worker::post(Job job) {
+  pool_->start(new Task([job = std::move(job), mailbox = mailbox_] {
+    Answer answer = job();
+    const std::lock_guard<std::mutex> lock(mailbox->mutex);
+    if (answer) mailbox->answers.push_back(std::move(answer));
+  }));
+}
+
+void Worker::read() {
+  std::deque<Answer> answers;
+  {
+    const std::lock_guard<std::mutex> lock(mailbox_->mutex);
+    answers.swap(mailbox_->answers);
+  }
+  for (const Answer& answer : answers) answer();
 }
 
 void Worker::drop() {
-  const std::lock_guard<std::mutex> lock(shared_->mutex);
-  shared_->jobs.clear();
-}
-
-void Worker::work(const std::shared_ptr<Shared>& shared) {
-  std::unique_lock<std::mutex> lock(shared->mutex);
-  for (;;) {
-    shared->changed.wait(lock, [&] { return shared->stop || !shared->jobs.empty(); });
-    if (shared->jobs.empty()) break;
-    {
-      const std::function<void()> job = std::move(shared->jobs.front());
-      shared->jobs.pop_front();
-      lock.unlock();
-      job();
-    }  // what the job owned goes before the lock is taken again
-    lock.lock();
-  }
-  shared->ended = true;
-  shared->changed.notify_all();
+  pool_->clear();
+  mailbox_ = std::make_shared<Mailbox>();
 }
 
 }  // namespace poinsot::rviz_panel

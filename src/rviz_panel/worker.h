@@ -1,6 +1,6 @@
 #pragma once
 
-#include <condition_variable>
+#include <QThreadPool>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -8,44 +8,34 @@
 
 namespace poinsot::rviz_panel {
 
-/** Closures handed from one thread to another, which runs them when it likes. */
-class Mailbox {
- public:
-  void post(std::function<void()> letter);
-  /** Runs what has been posted so far, on the calling thread. */
-  void read();
-
- private:
-  std::mutex mutex_;
-  std::deque<std::function<void()>> letters_;
-};
-
 /**
  * A thread that does one job after another: what may wait for other programs. Whoever destroys a worker waits for its
  * jobs for a second at most; what takes longer is left to itself, and must therefore own what it uses.
  */
 class Worker {
  public:
-  Worker();
+  using Answer = std::function<void()>;  ///< empty: none
+  using Job = std::function<Answer()>;
+
+  Worker() { pool_->setMaxThreadCount(1); }
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void post(std::function<void()> job);
-  /** Drops the jobs that have not begun. */
+  void post(Job job);
+  /** Runs the answers that jobs have given so far, on the calling thread. */
+  void read();
+  /** Drops the jobs that have not begun, and the answer of the one that has. */
   void drop();
 
  private:
-  struct Shared {
+  struct Mailbox {
     std::mutex mutex;
-    std::condition_variable changed;
-    std::deque<std::function<void()>> jobs;
-    bool stop = false;
-    bool ended = false;
+    std::deque<Answer> answers;
   };
-  static void work(const std::shared_ptr<Shared>& shared);
 
-  std::shared_ptr<Shared> shared_;
+  QThreadPool* const pool_ = new QThreadPool;
+  std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
 };
 
 }  // namespace poinsot::rviz_panel

@@ -18,7 +18,7 @@ from visualization_msgs.msg import Marker, MarkerArray  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
-from poinsot.msg import BodyDescription, BodyState, NodeStatus  # noqa: E402
+from poinsot.msg import Activity, BodyDescription, BodyState, NodeStatus  # noqa: E402
 from poinsot.srv import LoadScene, SetMethod, SetSpin  # noqa: E402
 
 BODY = "wingnut"
@@ -327,6 +327,8 @@ class ChangesTest(unittest.TestCase):
     def test_reset_does_not_wait_for_a_method(self):
         self.seek(2e6)
         self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)  # 5e8 steps: far longer than a test waits
+        asked = Activity(kind=Activity.SET_METHOD, body=BODY, method="lie_euler")
+        self.status.next_where(lambda s: s.activities == [asked])
         since = self.states.count()
         self.control.reset()
         state = self.states.next_where(lambda s: s.time < 1e6, seconds=5, since=since)
@@ -340,7 +342,8 @@ class ChangesTest(unittest.TestCase):
     def test_a_seek_outlives_another_method(self):
         self.change(lambda: self.set_method(BODY, "lie_euler", 0.004))
         self.control.seek(2e5)
-        self.status.next_where(lambda s: s.busy == "seek")
+        seeking = self.status.next_where(lambda s: s.busy == "seek")
+        self.assertEqual(seeking.activities, [Activity(kind=Activity.SEEK)])
         self.change(lambda: self.set_method(BODY, "buss2", 0.01))
         state = self.states.next_where(lambda s: s.time >= 2e5, LONG)
         self.assertLess(state.time, 2e5 + 60)

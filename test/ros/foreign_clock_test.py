@@ -91,6 +91,7 @@ class ForeignClockTest(unittest.TestCase):
         cls.static = {"markers_static": graph.Listener("/markers_static", MarkerArray),
                       "tf_static": graph.Listener("/tf_static", TFMessage),
                       "description": graph.Listener("/wingnut/description", BodyDescription)}
+        cls.status = graph.Listener(NODE + "/status", NodeStatus)
         cls.control = graph.Control(NODE)
         cls.time = Time()
         cls.time.wait_for_listener(NODE)
@@ -135,6 +136,7 @@ class ForeignClockTest(unittest.TestCase):
             self.assertEqual(len(listener.all()), 0)
         for t in self.static["tf_static"].last().transforms:
             self.assertTrue(t.header.stamp.is_zero())
+        self.status.next_where(lambda s: s.waiting_for_clock)
 
     def test_2_begins_with_the_clock(self):
         self.time.set(START)
@@ -143,6 +145,7 @@ class ForeignClockTest(unittest.TestCase):
         self.assertLess(abs(first.time), 1e-12, "t begins at 0, whatever the clock says")
         self.assertGreaterEqual(first.header.stamp.to_sec(), START)
         self.states.next_where(lambda s: s.header.stamp.to_sec() > START + 2)
+        self.assertFalse(self.status.next().waiting_for_clock)
         states = self.states.all()
         self.check_stamps(states)
         self.check_time(states)
@@ -183,8 +186,11 @@ class ForeignClockTest(unittest.TestCase):
         for repeated in (self.states, self.tf):
             self.assertEqual(repeated.count(), self.counts[repeated], "who was there is not sent it again")
 
+    def test_3_ba_the_status_says_that_the_clock_is_frozen(self):
+        self.status.next_where(lambda s: s.waiting_for_clock)
+
     def test_3_bb_changes_under_a_frozen_clock_begin_where_the_body_is(self):
-        status = graph.Listener(NODE + "/status", NodeStatus)
+        status = self.status
 
         def call(service, kind, *arguments):
             rospy.wait_for_service(NODE + "/" + service, graph.PATIENCE)
@@ -200,24 +206,21 @@ class ForeignClockTest(unittest.TestCase):
         after = self.states.next_where(lambda s: s.segment > before.segment, since=0)
         self.assertEqual(after.time, 0)
         self.assertLess(graph.quaternion_distance(after.attitude, before.attitude), 1e-3, "it goes on from where it was")
-        status.close()
         self.quiet()
 
     def test_3_c_a_scene_is_loaded_while_the_clock_is_frozen(self):
-        status = graph.Listener(NODE + "/status", NodeStatus)
         descriptions = self.static["description"].count()
         rospy.wait_for_service(NODE + "/load_scene", graph.PATIENCE)
         before = self.states.last()
         answer = rospy.ServiceProxy(NODE + "/load_scene", LoadScene)("dzhanibekov")
         self.assertTrue(answer.success, answer.message)
         self.static["description"].more(1, descriptions)
-        done = status.next_where(lambda s: not s.busy)
+        done = self.status.next_where(lambda s: not s.busy)
         self.assertEqual((done.scene, done.refused), ("dzhanibekov", ""))
         self.assertEqual(self.states.last().header, before.header, "nothing moves before the clock does")
         self.time.set(self.time.now() + 0.25)
         after = self.states.next_where(lambda s: s.segment > before.segment, since=0)
         self.assertEqual((after.time, after.segment), (0, before.segment + 1))
-        status.close()
         self.quiet()
 
     def test_4_commands_wait_while_the_clock_is_frozen(self):

@@ -17,7 +17,7 @@ from rosgraph_msgs.msg import Clock, Log  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
-from poinsot.msg import BodyState, NodeStatus  # noqa: E402
+from poinsot.msg import Activity, BodyState, NodeStatus  # noqa: E402
 from poinsot.srv import LoadScene  # noqa: E402
 
 RATE = 100
@@ -161,7 +161,9 @@ class OwnClockTest(unittest.TestCase):
             self.assertTrue(load("phone").success)
             status.next_where(lambda s: s.scene == "phone" and not s.busy)
             self.assertTrue(load(self.heavy()).success)
-            self.assertEqual(status.next_where(lambda s: s.busy).busy, "scene heavy")
+            again = status.next_where(lambda s: s.busy)
+            self.assertEqual(again.busy, "scene heavy")
+            self.assertEqual(again.activities, [Activity(kind=Activity.LOAD_SCENE, scene="heavy")])
             self.assertEqual(node.interrupt(5), 0, node.console)
             status.close()
         finally:

@@ -75,6 +75,9 @@ class Panel : public testing::Test {
     ASSERT_TRUE(until([] { return combo("body")->currentText() == "wingnut"; }));
     ASSERT_TRUE(until([] { return heard->states > 0; }));
     if (combo("method")->currentText() != "closed_form") pick("method", "closed_form");
+    // At a hundred times real time t would be beyond 5 s before anybody has looked.
+    press<QToolButton>("real_time");
+    ASSERT_TRUE(untilState([](const auto& state) { return std::abs(state.time_rate) <= 1; }));
     press<QPushButton>("reset");
     ASSERT_TRUE(untilState([](const auto& state) { return std::abs(state.time) < 5; }));
     if (heard->state.time_rate == 0) press<QPushButton>("play");

@@ -1,16 +1,20 @@
 // The parts of the panel that have logic of their own, without ROS and without a window.
 #include <gtest/gtest.h>
+#include <rviz/yaml_config_reader.h>
 
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <thread>
 
+#include "hidden_parts.h"
 #include "history.h"
+#include "momentum_camera.h"
 #include "speed_scale.h"
-#include "stamp_watch.h"
+#include "status.h"
 #include "text.h"
 #include "time_page.h"
+#include "view_file.h"
 #include "worker.h"
 
 namespace {
@@ -91,109 +95,215 @@ TEST(TimePage, sharesAndTimes) {
   EXPECT_EQ(page.shareAt(kNaN), 0);
 }
 
-Sample sampleAt(double stamp, double time, unsigned segment = 0) {
-  Sample sample;
-  sample.stamp = stamp;
-  sample.time = time;
-  sample.segment = segment;
-  return sample;
+poinsot::BodyState stateAt(double stamp, double time, unsigned segment = 0) {
+  poinsot::BodyState state;
+  state.header.stamp = ros::Time(stamp);
+  state.time = time;
+  state.segment = segment;
+  return state;
 }
 
 TEST(History, keepsItsWindowOnly) {
   History history(20, 4000);
-  for (int i = 0; i <= 60 * 60; ++i) history.add(sampleAt(i / 60.0, i / 60.0));
-  EXPECT_NEAR(history[0].stamp, 40, 0.02);
-  EXPECT_EQ(history[history.size() - 1].stamp, 60);
+  for (int i = 0; i <= 60 * 60; ++i) history.add(stateAt(i / 60.0, i / 60.0));
+  EXPECT_NEAR(history[0].header.stamp.toSec(), 40, 0.02);
+  EXPECT_EQ(history.newest().header.stamp.toSec(), 60);
   EXPECT_NEAR(static_cast<double>(history.size()), 20 * 60, 3);
 }
 
 TEST(History, isBoundedHoweverFastTheNode) {
   History history(20, 4000);
-  for (int i = 0; i <= 30 * 10000; ++i) history.add(sampleAt(i / 10000.0, i / 10000.0));
+  for (int i = 0; i <= 30 * 10000; ++i) history.add(stateAt(i / 10000.0, i / 10000.0));
   EXPECT_LE(history.size(), 4002u);
   EXPECT_GT(history.size(), 3800u);
-  EXPECT_EQ(history[history.size() - 1].stamp, 30) << "the newest sample is always there";
-  for (std::size_t i = 1; i < history.size(); ++i) EXPECT_GT(history[i].stamp, history[i - 1].stamp);
+  EXPECT_EQ(history.newest().header.stamp.toSec(), 30) << "the newest sample is always there";
+  for (std::size_t i = 1; i < history.size(); ++i) EXPECT_GT(history[i].header.stamp, history[i - 1].header.stamp);
 }
 
 TEST(History, aPauseDoesNotPushItOut) {
   History history(20, 4000);
-  for (int i = 0; i <= 300; ++i) history.add(sampleAt(i / 60.0, i / 60.0));
+  for (int i = 0; i <= 300; ++i) history.add(stateAt(i / 60.0, i / 60.0));
   const std::size_t before = history.size();
-  for (int i = 1; i <= 6000; ++i) history.add(sampleAt(5 + i / 60.0, 5));
+  for (int i = 1; i <= 6000; ++i) history.add(stateAt(5 + i / 60.0, 5));
   EXPECT_EQ(history.size(), before);
-  history.add(sampleAt(105 + 1 / 60.0, 5 + 1 / 60.0));
+  history.add(stateAt(105 + 1 / 60.0, 5 + 1 / 60.0));
   EXPECT_EQ(history.size(), before + 1);
   EXPECT_EQ(history[0].time, 0);
 }
 
 TEST(History, aNewSegmentOrAClockThatGoesBackBeginsAnew) {
   History history(20, 4000);
-  for (int i = 0; i < 10; ++i) history.add(sampleAt(i, i));
-  history.add(sampleAt(10, 500, 1));
+  for (int i = 0; i < 10; ++i) history.add(stateAt(i, i));
+  history.add(stateAt(10, 500, 1));
   ASSERT_EQ(history.size(), 1u);
   EXPECT_EQ(history[0].time, 500);
-  history.add(sampleAt(11, 501, 1));
-  history.add(sampleAt(3, 502, 1));
+  history.add(stateAt(11, 501, 1));
+  history.add(stateAt(3, 502, 1));
   ASSERT_EQ(history.size(), 1u);
   EXPECT_EQ(history[0].time, 502);
 }
 
 TEST(Thinned, keepsThePeaksTheOrderAndTheEnd) {
-  std::vector<Point> points;
-  for (int i = 0; i < 4000; ++i) points.push_back({static_cast<double>(i), std::sin(0.01 * i)});
-  points[1777].y = 9;
-  points[2222].y = -9;
-  const std::vector<Point> thin = thinned(points, 250);
-  EXPECT_LE(thin.size(), 501u);
+  QPolygonF points;
+  for (int i = 0; i < 4000; ++i) points << QPointF(i, std::sin(0.01 * i));
+  points[1777].setY(9);
+  points[2222].setY(-9);
+  const QPolygonF thin = thinned(points, 250);
+  EXPECT_LE(thin.size(), 501);
   double lowest = 0;
   double highest = 0;
-  for (std::size_t i = 0; i < thin.size(); ++i) {
-    lowest = std::min(lowest, thin[i].y);
-    highest = std::max(highest, thin[i].y);
+  for (int i = 0; i < thin.size(); ++i) {
+    lowest = std::min(lowest, thin[i].y());
+    highest = std::max(highest, thin[i].y());
     if (i > 0) {
-      EXPECT_GE(thin[i].x, thin[i - 1].x);
+      EXPECT_GE(thin[i].x(), thin[i - 1].x());
     }
   }
   EXPECT_EQ(lowest, -9);
   EXPECT_EQ(highest, 9);
-  EXPECT_EQ(thin.back().x, 3999);
+  EXPECT_EQ(thin.back().x(), 3999);
 }
 
 TEST(Thinned, leavesAFewAlone) {
-  const std::vector<Point> points = {{0, 1}, {1, 2}, {2, 0}};
-  EXPECT_EQ(thinned(points, 250).size(), 3u);
+  const QPolygonF points(QVector<QPointF>{{0, 1}, {1, 2}, {2, 0}});
+  EXPECT_EQ(thinned(points, 250), points);
   EXPECT_TRUE(thinned({}, 250).empty());
 }
 
-TEST(StampWatch, noticesThatTimeStandsStill) {
-  StampWatch watch;
-  for (int i = 0; i < 30; ++i) {
-    watch.add(1000 + i, 60, 5 + 0.1 * i);
-    EXPECT_FALSE(watch.standsStill()) << i;
-  }
-  watch.add(1029, 60, 8.8);
-  EXPECT_FALSE(watch.standsStill()) << "not yet for a second";
-  watch.add(1029, 60, 9.0);
-  EXPECT_TRUE(watch.standsStill());
-  watch.add(1030, 60, 9.1);
-  EXPECT_FALSE(watch.standsStill()) << "it goes on";
-  watch.add(500, 60, 10);
-  EXPECT_FALSE(watch.standsStill()) << "it jumped back";
-  watch.add(500, 60, 11.5);
-  EXPECT_TRUE(watch.standsStill());
-  watch.clear();
-  watch.add(500, 60, 12);
-  EXPECT_FALSE(watch.standsStill()) << "another node";
+poinsot::Activity activity(std::uint8_t kind, const std::string& scene, const std::string& body,
+                           const std::string& method) {
+  poinsot::Activity out;
+  out.kind = kind;
+  out.scene = scene;
+  out.body = body;
+  out.method = method;
+  return out;
 }
 
-TEST(StampWatch, isPatientWithSlowTicks) {
-  StampWatch watch;
-  watch.add(1, 0.1, 0);
-  watch.add(1, 0.1, 29);
-  EXPECT_FALSE(watch.standsStill());
-  watch.add(1, 0.1, 31);
-  EXPECT_TRUE(watch.standsStill());
+TEST(Status, saysWhatIsBeingWorkedOut) {
+  using poinsot::Activity;
+  poinsot::NodeStatus status;
+  EXPECT_EQ(activityText(status), "");
+  EXPECT_FALSE(isChanging(status));
+  status.activities = {activity(Activity::SEEK, "", "", "")};
+  EXPECT_EQ(activityText(status), "seek");
+  EXPECT_FALSE(isChanging(status)) << "a seek changes no scene, method or spin";
+  status.activities.push_back(activity(Activity::SET_METHOD, "", "wing", "rk4"));
+  EXPECT_EQ(activityText(status), "seek and method rk4 of wing");
+  EXPECT_TRUE(isChanging(status));
+  status.activities = {activity(Activity::SET_SPIN, "", "wing", ""), activity(Activity::SET_SPIN, "", "wing", ""),
+                       activity(Activity::RESET, "", "", ""), activity(Activity::LOAD_SCENE, "phone", "", "")};
+  EXPECT_EQ(activityText(status), "spin of wing and reset and scene phone") << "each once";
+  status.activities = {activity(200, "", "", "")};
+  EXPECT_EQ(activityText(status), "a change") << "of a kind that a later version may add";
+  EXPECT_TRUE(isChanging(status));
+}
+
+TEST(Status, doesNotParseText) {
+  poinsot::NodeStatus status;
+  status.busy = "method rk4 of wing";
+  EXPECT_FALSE(isChanging(status));
+  EXPECT_EQ(activityText(status), "");
+}
+
+TEST(HoldOff, lastsWhileTheNodeIsAtWork) {
+  HoldOff hold_off;
+  EXPECT_FALSE(hold_off.holds());
+  EXPECT_FALSE(hold_off.holds(true)) << "nothing was chosen";
+  hold_off.begin();
+  EXPECT_TRUE(hold_off.holds());
+  hold_off.end();
+  EXPECT_FALSE(hold_off.holds());
+}
+
+rviz::Config parsed(const char* text) {
+  rviz::Config config;
+  rviz::YamlConfigReader().readString(config, text);
+  return config;
+}
+
+TEST(ViewFile, findsThePanelAndTheViews) {
+  const rviz::Config file = parsed(
+      "{Panels: [{Class: rviz/Displays}, {Class: poinsot/Panel, View: Riding}], "
+      "Visualization Manager: {Views: {Saved: [{Name: Riding}]}}}");
+  ASSERT_TRUE(view_file::panelOf(file));
+  QString view;
+  EXPECT_TRUE(view_file::panelOf(file)->mapGetString("View", &view));
+  EXPECT_EQ(view, "Riding");
+  EXPECT_EQ(view_file::viewsOf(file).mapGetChild("Saved").listLength(), 1);
+  EXPECT_FALSE(view_file::panelOf(parsed("{Panels: [{Class: rviz/Displays}]}")));
+  EXPECT_FALSE(view_file::panelOf(parsed("{}")));
+}
+
+TEST(ViewFile, takesNoMoreThanItSays) {
+  const rviz::Config taken = view_file::takenOf(
+      parsed("{Class: rviz/Grid, Enabled: false, Topic: elsewhere, Offset: {X: 1, Y: 2, Z: 3}, Color: 1; 2; 3}"));
+  bool enabled = true;
+  EXPECT_TRUE(taken.mapGetBool("Enabled", &enabled));
+  EXPECT_FALSE(enabled);
+  float z = 0;
+  EXPECT_TRUE(taken.mapGetChild("Offset").mapGetFloat("Z", &z));
+  EXPECT_EQ(z, 3);
+  for (const char* other : {"Class", "Topic", "Color", "Namespaces"}) {
+    EXPECT_FALSE(taken.mapGetChild(other).isValid()) << other;
+  }
+}
+
+TEST(ViewFile, isOnlyAScenesOfThisPackage) {
+  EXPECT_FALSE(view_file::read(""));
+  EXPECT_FALSE(view_file::read("no_such_scene"));
+  EXPECT_FALSE(view_file::read("../rviz/demo"));
+}
+
+TEST(HiddenParts, comesBackAsItWasSaved) {
+  const rviz::Config panel = parsed("{Hidden: {Riding: {Floor: true}}, Switched Off: [Still/label, Floor]}");
+  HiddenParts hidden;
+  hidden.load(panel);
+  rviz::Config saved;
+  hidden.save(saved, "Riding");
+  EXPECT_TRUE(saved.mapGetChild("Hidden").mapGetChild("Riding").mapGetChild("Floor").isValid());
+  const rviz::Config off = saved.mapGetChild("Switched Off");
+  ASSERT_EQ(off.listLength(), 2);
+  EXPECT_EQ(off.listChildAt(0).getValue().toString(), "Floor");
+  EXPECT_EQ(off.listChildAt(1).getValue().toString(), "Still/label");
+  rviz::Config elsewhere;
+  hidden.save(elsewhere, "Overview");
+  EXPECT_FALSE(elsewhere.mapGetChild("Switched Off").isValid()) << "a view that leaves nothing out";
+}
+
+TEST(MomentumCamera, standsAtTheTipOfL) {
+  for (const Eigen::Vector3d l :
+       {Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(-4, 1, -2), Eigen::Vector3d(0, -1e-200, 0)}) {
+    const OrbitAngles angles = anglesAlong(l);
+    const Eigen::Vector3d eye(std::cos(angles.pitch) * std::cos(angles.yaw),
+                              std::cos(angles.pitch) * std::sin(angles.yaw), std::sin(angles.pitch));
+    EXPECT_LT((eye - l.stableNormalized()).norm(), 1e-12) << l.transpose();
+  }
+  for (const double z : {1.0, -1.0}) {
+    const OrbitAngles angles = anglesAlong({0.05, -0.05, z});
+    EXPECT_EQ(angles.yaw, 0) << "not turned round where L is nearly upright";
+    EXPECT_DOUBLE_EQ(angles.pitch, z * M_PI / 2);
+  }
+}
+
+TEST(MomentumCamera, followsAMotionThatBeginsAnew) {
+  poinsot::BodyState before, now;
+  before.body = now.body = "wing";
+  before.segment = 3;
+  before.time = now.time = 5;
+  before.momentum_world.x = now.momentum_world.y = 1;
+  now.segment = 3;
+  EXPECT_FALSE(beginsAlongAnotherMomentum(before, now)) << "the same segment";
+  now.segment = 4;
+  EXPECT_TRUE(beginsAlongAnotherMomentum(before, now));
+  now.attitude_error = kNaN;
+  EXPECT_FALSE(beginsAlongAnotherMomentum(before, now)) << "a seek under torques";
+  now.time = 0.1;
+  EXPECT_TRUE(beginsAlongAnotherMomentum(before, now)) << "a new start under torques";
+  now.momentum_world = before.momentum_world;
+  EXPECT_FALSE(beginsAlongAnotherMomentum(before, now)) << "the same L";
+  now.body = "book";
+  EXPECT_TRUE(beginsAlongAnotherMomentum(before, now)) << "another body";
 }
 
 TEST(Text, figures) {
@@ -232,23 +342,52 @@ TEST(Text, whatIsTyped) {
   }
 }
 
-TEST(Worker, doesJobsInTheirOrderAndAnswersByMail) {
-  const auto mailbox = std::make_shared<Mailbox>();
+TEST(Worker, doesJobsInTheirOrderAndGivesAnswersWhenAsked) {
   std::vector<int> read;
   std::atomic<int> done{0};
+  Worker worker;
+  for (int i = 0; i < 5; ++i) {
+    worker.post([&, i] {
+      ++done;
+      return [&read, i] { read.push_back(i); };
+    });
+  }
+  worker.post([&]() -> Worker::Answer {
+    ++done;
+    return nullptr;
+  });
+  while (done < 6) std::this_thread::yield();
+  EXPECT_TRUE(read.empty()) << "answers wait until they are read";
+  while (read.size() < 5) worker.read();
+  EXPECT_EQ(read, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Worker, dropsWhatIsNoLongerWanted) {
+  std::atomic<bool> began{false}, release{false}, ended{false}, second{false};
+  bool answered = false;
   {
     Worker worker;
-    for (int i = 0; i < 5; ++i) {
-      worker.post([&, i] {
-        mailbox->post([&read, i] { read.push_back(i); });
-        ++done;
-      });
-    }
-    while (done < 5) std::this_thread::yield();
-    EXPECT_TRUE(read.empty()) << "letters wait until they are read";
-    mailbox->read();
+    worker.post([&] {
+      began = true;
+      while (!release) std::this_thread::yield();
+      return [&answered] { answered = true; };
+    });
+    worker.post([&]() -> Worker::Answer {
+      second = true;
+      return nullptr;
+    });
+    while (!began) std::this_thread::yield();
+    worker.drop();
+    worker.post([&]() -> Worker::Answer {
+      ended = true;
+      return nullptr;
+    });
+    release = true;
+    while (!ended) std::this_thread::yield();
+    worker.read();
   }
-  EXPECT_EQ(read, (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_FALSE(second) << "a job that had not begun";
+  EXPECT_FALSE(answered) << "the answer of one that had";
 }
 
 TEST(Worker, isLeftBehindWhenItHangs) {
@@ -259,6 +398,7 @@ TEST(Worker, isLeftBehindWhenItHangs) {
     worker.post([=] {
       *began = true;
       while (!*release) std::this_thread::yield();
+      return nullptr;
     });
     while (!*began) std::this_thread::yield();
   }  // comes back although the job has not

@@ -8,7 +8,13 @@
 
 namespace poinsot::node {
 
-/** @param rate of the ticks [Hz]; scenes: names that can be loaded. */
-NodeStatus statusMessage(const session::Session& session, double rate, const std::vector<std::string>& scenes);
+/**
+ * What a session is doing, as `~status` says it.
+ * @param rate of the ticks [Hz]
+ * @param waiting_for_clock whether no tick comes because somebody else's /clock stands still
+ * @param scenes names of scenes that can be loaded
+ */
+NodeStatus statusMessage(const session::Session& session, double rate, bool waiting_for_clock,
+                         const std::vector<std::string>& scenes);
 
 }  // namespace poinsot::node

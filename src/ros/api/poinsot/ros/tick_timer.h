@@ -46,6 +46,9 @@ class TickTimer {
   /** The stamp of a tick that is due; zero while a foreign clock has not begun. */
   session::Nanoseconds stamp() const;
 
+  /** Whether a foreign clock stands still: no tick was due for a second of the wall's time, and for three periods. */
+  bool waitsForClock() const;
+
   /** Since the last call. Lateness is not known under a foreign clock. */
   Punctuality takePunctuality();
 
@@ -60,6 +63,7 @@ class TickTimer {
   std::chrono::duration<double> period_;
   ros::CallbackQueue& callbacks_;
   ros::Time foreign_due_, foreign_last_;  ///< by a foreign clock: of the next tick, and of the last
+  Steady::duration foreign_waited_{};     ///< for a foreign clock since its last tick was due
   Steady::time_point origin_;             ///< tick k is due at origin_ + k·period_
   std::int64_t made_since_origin_ = 0;
   std::int64_t made_ = 0;  ///< ticks since the start, for the stamps of an own clock
