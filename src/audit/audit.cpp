@@ -1,9 +1,11 @@
 #include "poinsot/audit/audit.h"
 
-#include <algorithm>
-#include <set>
+#include <ros/serialization.h>
 
-#include "poinsot/audit/checks.h"
+#include <algorithm>
+#include <functional>
+
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -36,12 +38,24 @@ Body* onlyOne(std::map<std::string, Body>& bodies, const Matches& matches) {
 
 }  // namespace
 
+template <class Message>
+bool Audit::isRepeated(const Message& message, const std::string& topic) {
+  std::string bytes(ros::serialization::serializationLength(message), '\0');
+  ros::serialization::OStream out(reinterpret_cast<std::uint8_t*>(&bytes[0]), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+  return !heard_.insert(std::hash<std::string>()(topic + bytes)).second;
+}
+
 void Audit::add(const BodyState& message, const std::string& topic) {
   const std::string key = keyOf(topic, "state");
   Body& body = states_[key];
   body.key = key;
   body.name = message.body;
-  body.states.push_back(read(message));
+  if (isRepeated(message, topic)) {
+    body.repeats = true;
+  } else {
+    body.states.push_back(read(message));
+  }
 }
 
 void Audit::add(const BodyDescription& message, const std::string& topic) {
@@ -49,15 +63,13 @@ void Audit::add(const BodyDescription& message, const std::string& topic) {
 }
 
 void Audit::add(const nav_msgs::Odometry& message, const std::string& topic) {
-  OdometryTopic& of_topic = odometry_[keyOf(topic, "odometry")];
-  const Stamp stamp = stampOf(message.header.stamp);
-  if (!of_topic.by_stamp.empty() && stamp < of_topic.last) ++of_topic.backwards;
-  of_topic.last = stamp;
-  of_topic.by_stamp.emplace(stamp, read(message));
+  if (isRepeated(message, topic)) return;
+  odometry_[keyOf(topic, "odometry")].add(stampOf(message.header.stamp), read(message));
 }
 
 void Audit::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (const geometry_msgs::TransformStamped& t : message.transforms) {
+    if (!is_static && isRepeated(t, "tf")) continue;
     const std::string& child = t.child_frame_id;
     transforms_.add(!child.empty() && child[0] == '/' ? child.substr(1) : child, stampOf(t.header.stamp), read(t),
                     is_static);
@@ -97,8 +109,8 @@ std::map<std::string, Body> Audit::bodies() const {
     Body* body =
         bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return endsWith(frame, b.name); });
     if (!body) continue;  // somebody else's robot
-    body->odometry.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
-    body->odometry_backwards += odometry.backwards;
+    body->odometry.by_stamp.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
+    body->odometry.backwards += odometry.backwards;
   }
   for (const auto& [name_space, drawings] : drawings_) {
     for (const auto* list : {&drawings.fixed, &drawings.moving}) {
@@ -110,23 +122,25 @@ std::map<std::string, Body> Audit::bodies() const {
       }
     }
   }
-  for (auto& entry : bodies) entry.second.frame = frameOf(entry.second);
+  for (auto& entry : bodies) {
+    entry.second.frame = frameOf(entry.second);
+    entry.second.putInOrder();
+  }
   return bodies;
 }
 
 std::string Audit::frameOf(const Body& body) const {
-  if (!body.odometry.empty()) return body.odometry.rbegin()->second.child_frame_id;
+  if (!body.odometry.by_stamp.empty()) return body.odometry.by_stamp.rbegin()->second.child_frame_id;
   std::string best;
   std::int64_t best_score = -1;
   for (const std::string& frame : transforms_.movingFrames()) {
     if (!endsWith(frame, body.name)) continue;
     // Of two nodes' frames, the one that turns as this body does, or else is sent when its states are.
-    const auto& by_stamp = *transforms_.moving(frame);
+    const Track<Transform>& track = *transforms_.moving(frame);
     std::int64_t score = 0;
     for (const State& state : body.states) {
-      const auto found = by_stamp.find(state.stamp);
-      if (found == by_stamp.end()) continue;
-      score += angleBetween(found->second.rotation, state.attitude) < 1e-9 ? 1000 : 1;
+      const Transform* found = track.at(state.stamp, state.attitude);
+      if (found) score += angleBetween(found->attitude, state.attitude) < 1e-9 ? 1000 : 1;
     }
     if (score > best_score) {
       best_score = score;
@@ -140,7 +154,8 @@ Report Audit::report() const {
   Report report;
   for (const auto& entry : bodies()) {
     const Body& body = entry.second;
-    const Evidence evidence{body, transforms_, options_};
+    const std::vector<Segment> segments = body.descriptions.empty() ? std::vector<Segment>() : segmentsOf(body);
+    const Evidence evidence{body, segments, transforms_, options_};
     if (body.states.empty()) {
       Judge judge("states", body.key);
       judge.ifNothing("no state of this body was received, only its description");

@@ -1,8 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "poinsot/audit/checks.h"
-#include "poinsot/audit/free_motion.h"
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -21,12 +20,12 @@ void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
   };
   for (const State& s : body.states) look(s.stamp, s.flaw, s.attitude_as_sent, "state");
   if (evidence.options.odometry) {
-    for (const auto& [stamp, o] : body.odometry) look(stamp, o.flaw, o.attitude_as_sent, "odometry");
+    for (const auto& [stamp, o] : body.odometry.by_stamp) look(stamp, o.flaw, o.attitude_as_sent, "odometry");
   }
   if (evidence.options.tf && !body.frame.empty()) {
     for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
       if (const auto* moving = evidence.transforms.moving(frame)) {
-        for (const auto& [stamp, t] : *moving) look(stamp, t.flaw, t.rotation_as_sent, "tf of " + frame);
+        for (const auto& [stamp, t] : moving->by_stamp) look(stamp, t.flaw, t.attitude_as_sent, "tf of " + frame);
       }
     }
   }
@@ -37,28 +36,28 @@ void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
 void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge stamps("stamps never decrease", body.key), segments("segments never decrease", body.key);
+  // Where a clock jumps back a new segment begins; in the other topics the same is to be seen, at most so often.
+  std::int64_t jumps = 0;
   for (std::size_t i = 0; i < body.states.size(); ++i) {
-    if (i == 0) {
-      stamps.compare(0, 0, seconds(body.states[0].stamp));
-      segments.compare(0, 0, seconds(body.states[0].stamp));
-      continue;
-    }
-    const State &a = body.states[i - 1], &b = body.states[i];
-    stamps.compare(b.stamp < a.stamp ? 1 : 0, 0, seconds(b.stamp), [&] {
+    const State &a = body.states[i > 0 ? i - 1 : 0], &b = body.states[i];
+    const bool back = b.stamp<a.stamp, new_segment = b.segment> a.segment;
+    jumps += back && new_segment;
+    stamps.compare(back && !new_segment ? 1 : 0, 0, seconds(b.stamp), [&] {
       return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
     });
     segments.compare(b.segment < a.segment ? 1 : 0, 0, seconds(b.stamp),
                      [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
   }
-  if (evidence.options.odometry && body.odometry_backwards > 0) {
-    stamps.fail(
-        0, text("odometry: %lld stamps lie before the one before", static_cast<long long>(body.odometry_backwards)));
-  }
+  const auto compare = [&](const std::string& what, std::int64_t backwards) {
+    if (body.repeats || backwards <= jumps) return;
+    stamps.fail(0,
+                text("%s: %lld stamps lie before the one before", what.c_str(), static_cast<long long>(backwards)) +
+                    (jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(jumps)) : ""));
+  };
+  if (evidence.options.odometry) compare("odometry", body.odometry.backwards);
   if (evidence.options.tf && !body.frame.empty()) {
     for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
-      const auto backwards = static_cast<long long>(evidence.transforms.backwards(frame));
-      if (backwards > 0)
-        stamps.fail(0, text("tf of %s: %lld stamps lie before the one before", frame.c_str(), backwards));
+      if (const auto* moving = evidence.transforms.moving(frame)) compare("tf of " + frame, moving->backwards);
     }
   }
   checks.push_back(stamps.verdict());
@@ -118,14 +117,8 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge omega("omega_world = R omega_body", body.key), momentum("momentum_world = R M omega_body", body.key),
       energy("kinetic_energy = 1/2 omega' M omega", body.key);
-  const Description* description = nullptr;
-  Inertia inertia(Eigen::Matrix3d::Identity());
-  for (const State& s : body.states) {
-    if (!s.flaw.empty()) continue;
-    if (const Description* d = body.descriptionAt(s.stamp); d != description) {
-      description = d;
-      inertia = Inertia(d->tensor);
-    }
+  const auto judge = [&](const Segment& segment, const State& s) {
+    const Inertia& inertia = segment.body->inertia();
     const double at = seconds(s.stamp), rate = s.omega_body.norm();
     const Eigen::Vector3d l = s.attitude * (inertia.tensor * s.omega_body);
     const double e = inertia.energy(s.omega_body);
@@ -139,9 +132,8 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
                                                                : inverse ? " (R looks inverted)"
                                                                          : "");
     });
-    // With a slug inside it is that of both: judgeDriven asks for it.
-    const bool slug = description->forces.slug.has_value();
-    if (!slug)
+    // With a slug inside it is that of both: judgeSlugsStart and dL/dt ask for it.
+    if (!segment.body->effects().slug)
       momentum.compare(
           (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {
             const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
@@ -154,6 +146,9 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
           });
     energy.compare(std::abs(s.kinetic_energy - e) / e_scale, kFields * inertia.conditionOfEnergy(s.omega_body), at,
                    [&] { return text("kinetic_energy is %.3f times ½ΩᵀMΩ", s.kinetic_energy / e_scale); });
+  };
+  for (const Segment& segment : evidence.segments) {
+    for (const State* s : segment.states) judge(segment, *s);
   }
   checks.push_back(omega.verdict());
   if (momentum.count() > 0) checks.push_back(momentum.verdict());

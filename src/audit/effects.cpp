@@ -192,6 +192,7 @@ bool Effects::onlyOrbits() const {
 Effects readEffects(const std::vector<std::string>& texts) {
   Effects out;
   for (const std::string& text : texts) {
+    out.turns = out.turns || text.substr(0, text.find(':')) != "translation";
     try {
       readOne(text, out);
     } catch (const std::invalid_argument& why) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace poinsot::audit {
 namespace {
@@ -50,6 +51,7 @@ double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
 State read(const poinsot::BodyState& message) {
   State s;
   s.stamp = stampOf(message.header.stamp);
+  s.sequence = message.header.seq;
   s.frame_id = frameName(message.header.frame_id);
   s.time = message.time;
   s.time_rate = message.time_rate;
@@ -100,12 +102,12 @@ Odometry read(const nav_msgs::Odometry& message) {
 
 Transform read(const geometry_msgs::TransformStamped& message) {
   Transform t;
-  t.parent = frameName(message.header.frame_id);
-  t.rotation_as_sent = quaternionOf(message.transform.rotation);
-  t.translation = vectorOf(message.transform.translation);
+  t.frame_id = frameName(message.header.frame_id);
+  t.attitude_as_sent = quaternionOf(message.transform.rotation);
+  t.position = vectorOf(message.transform.translation);
   FlawFinder find(t.flaw);
-  t.rotation = find.quaternion(t.rotation_as_sent, "rotation");
-  find.vector(t.translation, "translation");
+  t.attitude = find.quaternion(t.attitude_as_sent, "rotation");
+  find.vector(t.position, "translation");
   return t;
 }
 
@@ -161,21 +163,35 @@ bool Drawing::sameAs(const Drawing& other) const {
          flaw == other.flaw;
 }
 
-bool Description::hasEffect(const std::string& type) const {
-  return std::any_of(effects.begin(), effects.end(), [&type](const std::string& line) {
-    return line.compare(0, type.size(), type) == 0 &&
-           (line.size() == type.size() ||
-            (!std::isalnum(static_cast<unsigned char>(line[type.size()])) && line[type.size()] != '_'));
-  });
-}
-
-bool Description::isFree() const {
-  return effects.empty() || (effects.size() == 1 && hasEffect("translation"));
+bool Body::isFree() const {
+  return std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
 }
 
 bool Body::effectsAreRead() const {
   return std::all_of(descriptions.begin(), descriptions.end(),
                      [](const Description& d) { return d.forces.problem.empty(); });
+}
+
+void Body::putInOrder() {
+  // Time that goes on from one message to the next belongs to one motion, whatever their segments say.
+  bool disorder = false, goes_on = false;
+  std::set<std::uint32_t> sequence;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    sequence.insert(states[i].sequence);
+    if (i == 0) continue;
+    const State &a = states[i - 1], &b = states[i];
+    disorder = disorder || (repeats && b.segment == a.segment && b.stamp < a.stamp);
+    if (b.segment >= a.segment) continue;
+    disorder = true;
+    goes_on = goes_on || std::abs(b.time - a.time - a.time_rate * seconds(b.stamp - a.stamp)) < 1e-8;
+  }
+  if (!disorder) return;
+  if (sequence.size() == states.size()) {
+    std::sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.sequence < b.sequence; });
+  } else if (!goes_on) {
+    std::stable_sort(states.begin(), states.end(),
+                     [](const State& a, const State& b) { return a.segment < b.segment; });
+  }
 }
 
 const Description* Body::descriptionAt(Stamp stamp) const {

@@ -39,6 +39,7 @@ struct Effects {
   std::optional<Slug> slug;
   std::optional<Translation> translation;
 
+  bool turns = false;   ///< false where no text names anything but a translation: the body is free
   std::string problem;  ///< the first text that cannot be read, and why; empty where all can
 
   /** Nothing but torques that are constant in the world, now and then; a slug may be inside. */

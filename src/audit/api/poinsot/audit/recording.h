@@ -12,11 +12,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/audit/effects.h"
@@ -46,31 +47,52 @@ inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) {
 /** The angle of the rotation that takes a to b [rad], in [0, π]; both unit, either sign. Accurate for small angles. */
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
-/** A state, in the vocabulary of the message. */
-struct State {
-  Stamp stamp = 0;
-  double time = 0, time_rate = 0;
-  std::uint32_t segment = 0;
+/** What states, odometry and transforms have in common. */
+struct Pose {
+  std::string frame_id;                           ///< in which it is given
   Eigen::Quaterniond attitude_as_sent, attitude;  ///< the second normalised
-  Eigen::Vector3d position, velocity, omega_body, omega_world, momentum_world;
-  double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
-  double attitude_error = 0;  ///< NaN: there is nothing to compare with
-  std::string frame_id;
+  Eigen::Vector3d position;
   std::string flaw;  ///< which field is not finite (or a zero quaternion); empty where the message can be used
 };
+using Transform = Pose;
 
-struct Odometry {
-  Eigen::Quaterniond attitude_as_sent, attitude;
-  Eigen::Vector3d position, linear, angular;
-  std::string frame_id, child_frame_id;
-  std::string flaw;
+/** A state, in the vocabulary of the message. */
+struct State : Pose {
+  Stamp stamp = 0;
+  std::uint32_t sequence = 0;  ///< as its publisher counts; 0 where it does not
+  double time = 0, time_rate = 0;
+  std::uint32_t segment = 0;
+  Eigen::Vector3d velocity, omega_body, omega_world, momentum_world;
+  double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
+  double attitude_error = 0;  ///< NaN: there is nothing to compare with
 };
 
-struct Transform {
-  std::string parent;
-  Eigen::Quaterniond rotation_as_sent, rotation;
-  Eigen::Vector3d translation;
-  std::string flaw;
+struct Odometry : Pose {
+  Eigen::Vector3d linear, angular;
+  std::string child_frame_id;
+};
+
+/** The messages of a topic, or of a tf frame. Where the clock jumps back, or stands still, a stamp comes again. */
+template <class Message>
+struct Track {
+  std::multimap<Stamp, Message> by_stamp;
+  Stamp last = 0;
+  std::int64_t backwards = 0;  ///< how often a stamp lay before the one before
+
+  void add(Stamp stamp, Message message) {
+    if (!by_stamp.empty() && stamp < last) ++backwards;
+    last = stamp;
+    by_stamp.emplace(stamp, std::move(message));
+  }
+
+  /** Of those at a stamp the one whose attitude is nearest; nullptr where there is none. */
+  const Message* at(Stamp stamp, const Eigen::Quaterniond& attitude) const {
+    const auto [begin, end] = by_stamp.equal_range(stamp);
+    const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) {
+      return angleBetween(a.second.attitude, attitude) < angleBetween(b.second.attitude, attitude);
+    });
+    return best == end ? nullptr : &best->second;
+  }
 };
 
 struct Description {
@@ -85,9 +107,8 @@ struct Description {
   Effects forces;                    ///< the same, as read
   double metres_per_radian_per_second = 0;
 
-  bool hasEffect(const std::string& type) const;
   /** True when nothing turns the body: no effect, or none but translation. */
-  bool isFree() const;
+  bool isFree() const { return !forces.turns; }
 };
 
 /** A marker, without what no check looks at. */
@@ -109,13 +130,13 @@ Transform read(const geometry_msgs::TransformStamped& message);
 Description read(const poinsot::BodyDescription& message);
 Drawing read(const visualization_msgs::Marker& message);
 
-/** What one body's topics carried. A stamp may come more than once (a seek on a clock that stands still). */
+/** What one body's topics carried. */
 struct Body {
-  std::string key;   ///< its topics' namespace
-  std::string name;  ///< as its messages say
-  std::vector<State> states;
-  std::multimap<Stamp, Odometry> odometry;
-  std::int64_t odometry_backwards = 0;
+  std::string key;            ///< its topics' namespace
+  std::string name;           ///< as its messages say
+  std::vector<State> states;  ///< as received, until they are put in order
+  bool repeats = false;       ///< some of them came again, which are left out: a recording was played in a loop
+  Track<Odometry> odometry;
   std::vector<Description> descriptions;
   std::vector<Drawing> drawings;  ///< the markers whose namespace begins with its name
 
@@ -125,6 +146,14 @@ struct Body {
   const Description* descriptionAt(Stamp stamp) const;
   /** All texts of all descriptions could be read. */
   bool effectsAreRead() const;
+  /** By all descriptions. */
+  bool isFree() const;
+
+  /**
+   * Puts the states in the order in which they were sent. A bag that was recorded by a clock that jumped back lists
+   * them by stamp, those of one time that the clock ran between those of another.
+   */
+  void putInOrder();
 };
 
 /** All transforms, by the frame that they place. */
@@ -132,24 +161,23 @@ class Transforms {
  public:
   void add(const std::string& child, Stamp stamp, const Transform& transform, bool is_static);
 
-  /** Those of one frame that moves, by stamp. */
-  const std::multimap<Stamp, Transform>* moving(const std::string& child) const;
-  std::int64_t backwards(const std::string& child) const;
+  /** Those of one frame that moves, or nullptr. */
+  const Track<Transform>* moving(const std::string& child) const;
   std::vector<std::string> movingFrames() const;
   const Transform* fixed(const std::string& child) const;
 
-  /** v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received. */
-  std::optional<Eigen::Isometry3d> between(const std::string& from, const std::string& to, Stamp stamp) const;
+  /**
+   * v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received.
+   * @param near of several transforms at that stamp the one nearest to this attitude counts
+   */
+  std::optional<Eigen::Isometry3d> between(const std::string& from, const std::string& to, Stamp stamp,
+                                           const Eigen::Quaterniond& near = Eigen::Quaterniond::Identity()) const;
 
  private:
-  std::vector<std::pair<std::string, Eigen::Isometry3d>> chainToRoot(const std::string& frame, Stamp stamp) const;
+  std::vector<std::pair<std::string, Eigen::Isometry3d>> chainToRoot(const std::string& frame, Stamp stamp,
+                                                                     const Eigen::Quaterniond& near) const;
 
-  struct Moving {
-    std::multimap<Stamp, Transform> by_stamp;
-    Stamp last = 0;
-    std::int64_t backwards = 0;
-  };
-  std::map<std::string, Moving> moving_;
+  std::map<std::string, Track<Transform>> moving_;
   std::map<std::string, Transform> fixed_;
 };
 

@@ -5,6 +5,7 @@
 #include "poinsot/audit/audit.h"
 #include "poinsot/audit/recording.h"
 #include "poinsot/audit/report.h"
+#include "segment.h"
 
 /** The questions, a family a function; each appends its checks for one body. doc/audit.md says where bounds come from.
  */
@@ -13,6 +14,7 @@ namespace poinsot::audit {
 /** What every check sees. */
 struct Evidence {
   const Body& body;
+  const std::vector<Segment>& segments;  ///< of the body; none where it has no description
   const Transforms& transforms;
   const Options& options;
 };
@@ -29,13 +31,10 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks);
 /** tf = state = odometry at equal stamps. */
 void judgeAgreement(const Evidence& evidence, std::vector<Check>& checks);
 
-/** From message to message: time, dR/dstamp, Euler's equations, translation. */
+/** From message to message, and over many: time, dR/dstamp, Euler's equations, translation. */
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks);
 
-/** Of a body under torques, from message to message and over many: the equations of motion, and what they conserve. */
-void judgeDriven(const Evidence& evidence, std::vector<Check>& checks);
-
-/** What a free motion conserves, and what the messages say of drift and error themselves. */
+/** What the motion conserves, and what the messages say of drift and error themselves. */
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks);
 
 /** Poinsot's construction as drawn. */
