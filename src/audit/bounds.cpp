@@ -26,14 +26,7 @@ constexpr int kMostLooks = 500;     // at a motion's Taylor series
 constexpr double kTooCoarse = 1e-2;
 constexpr double kAccuracy = 4;  // of an accuracy that was asked for
 
-struct Row {
-  const char* name;
-  int order;  ///< 0: exact
-  bool keeps_momentum, keeps_energy;
-  double constant;  ///< C, of what it does not keep
-};
-
-constexpr Row kMethods[] = {
+constexpr FreeMethod kMethods[] = {
     {"closed_form", 0, true, true, 0},
     {"lie_euler", 1, true, false, 2},
     {"buss2", 2, true, false, 0.06},
@@ -91,9 +84,11 @@ Bounds::Bounds(const Description& description, const RigidBody& body, const std:
       step_(description.step),
       accuracy_(description.accuracy) {
   const bool has_step = step_ > 0 && std::isfinite(step_);
-  if (free_) lookUp();
+  for (const FreeMethod& row : kMethods) {
+    if (free_ && method_ == row.name) row_ = row;
+  }
   const bool listed =
-      free_ ? exact_ || (order_ > 0 && has_step)
+      free_ ? exact() || (row_.order > 0 && has_step)
             : has_step && (taylorOrder(method_) > 0 || method_ == "rk4" || method_ == "buss2" || method_ == "aba84");
   if (!listed) {
     unknown_ = "method \"" + method_ + "\" is not known here";
@@ -109,17 +104,6 @@ Bounds::Bounds(const Description& description, const RigidBody& body, const std:
     accuracy_ = std::numeric_limits<double>::quiet_NaN();  // not needed
   } else if (!std::isfinite(accuracy_)) {
     unknown_ = methodAndStep() + " is too coarse to be held to a bound of its own";
-  }
-}
-
-void Bounds::lookUp() {
-  for (const Row& row : kMethods) {
-    if (method_ != row.name) continue;
-    order_ = row.order;
-    constant_ = row.constant;
-    exact_ = row.order == 0;
-    keeps_momentum_ = row.keeps_momentum;
-    keeps_energy_ = row.keeps_energy;
   }
 }
 
@@ -148,7 +132,7 @@ std::string Bounds::methodAndStep() const {
 }
 
 double Bounds::stepsIn(double duration) const {
-  if (exact_ || !(taken_ > 0)) return 0;
+  if (exact() || !(taken_ > 0)) return 0;
   // Both ends may lie between grid points: a partial step each.
   return std::abs(duration) / taken_ + (free_ ? 0 : 2 * step_ / taken_);
 }
@@ -168,7 +152,7 @@ double Bounds::ofSteps(double duration, double speed) const {
 double Bounds::ofFreeMotion(const Eigen::Vector3d& omega, double duration, double t) const {
   const double w = inertia_.fastestRate(omega), turn = w * std::abs(duration);
   const double parting = std::exp(std::min(50.0, inertia_.partingRate(omega) * std::abs(duration)));
-  const double steps = exact_ ? 0 : kFreeStep * std::pow(w * step_, order_) * (turn + 2 * w * step_);
+  const double steps = exact() ? 0 : kFreeStep * std::pow(w * step_, row_.order) * (turn + 2 * w * step_);
   // t itself is rounded, and the phase that belongs to it.
   return parting * (2e-14 + rounding(duration) + 1e-15 * w * std::abs(t) + steps);
 }
@@ -182,15 +166,7 @@ double Bounds::kept(double condition, bool keeps, const State& s) const {
   if (!unknown_.empty()) return std::numeric_limits<double>::infinity();
   const double w = inertia_.fastestRate(s.omega_body);
   return condition * (2e-14 + rounding(s.time)) +
-         (keeps ? 0 : constant_ * std::pow(w * step_, order_) * (1 + w * std::abs(s.time)));
-}
-
-double Bounds::energy(const State& s) const {
-  return kept(inertia_.conditionOfEnergy(s.omega_body), keeps_energy_, s);
-}
-
-double Bounds::momentum(const State& s) const {
-  return kept(inertia_.conditionOfMomentum(s.omega_body), keeps_momentum_, s);
+         (keeps ? 0 : row_.constant * std::pow(w * step_, row_.order) * (1 + w * std::abs(s.time)));
 }
 
 double Bounds::drift(double t, double speed) const {
@@ -198,7 +174,7 @@ double Bounds::drift(double t, double speed) const {
 }
 
 double Bounds::attitude(const State& s) const {
-  if (exact_) return kSameAttitude;
+  if (exact()) return kSameAttitude;
   if (!unknown_.empty()) return kPi;
   // From the start, where it is exact; an error of the rate, once made, adds up.
   const double turn = inertia_.fastestRate(s.omega_body) * std::abs(s.time);

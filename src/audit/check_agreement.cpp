@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "checks.h"
 
@@ -8,21 +7,6 @@ namespace poinsot::audit {
 namespace {
 
 constexpr double kAngle = 1e-12;  // rad: the same numbers were sent twice
-
-/** Says how far the nearest partner of a state is. */
-template <class Message>
-std::string nearest(const State& state, const std::multimap<Stamp, Message>& partners, const std::string& what) {
-  if (partners.empty()) return "no " + what + " was received";
-  auto after = partners.lower_bound(state.stamp);
-  double best = std::numeric_limits<double>::infinity();
-  if (after != partners.end()) best = seconds(after->first - state.stamp);
-  if (after != partners.begin()) {
-    const double before = seconds(std::prev(after)->first - state.stamp);
-    if (std::abs(before) < std::abs(best)) best = before;
-  }
-  return text("no %s at the stamp of a state; the nearest is %.1f ms %s", what.c_str(), 1e3 * std::abs(best),
-              best > 0 ? "later" : "earlier");
-}
 
 /**
  * Pairs each state with the message of equal stamp whose attitude is nearest; counts those that are missing. A state
@@ -52,12 +36,15 @@ void pairUp(const Evidence& evidence, const Track<Message>& track, const std::st
       compare(state, *partner);
     }
   }
-  if (static_cast<double>(missing) > evidence.options.losses * static_cast<double>(wanted)) {
-    judge.fail(seconds(first_missing->stamp),
-               nearest(*first_missing, partners, what) + text(" (missing for %lld of %lld states)",
-                                                              static_cast<long long>(missing),
-                                                              static_cast<long long>(wanted)));
-  }
+  if (static_cast<double>(missing) <= evidence.options.losses * static_cast<double>(wanted)) return;
+  const double nearest = toNearest(partners, first_missing->stamp);
+  const std::string why = partners.empty()
+                              ? "no " + what + " was received"
+                              : text("no %s at the stamp of a state; the nearest is %.1f ms %s", what.c_str(),
+                                     1e3 * std::abs(nearest), nearest > 0 ? "later" : "earlier");
+  judge.fail(seconds(first_missing->stamp),
+             why + text(" (missing for %lld of %lld states)", static_cast<long long>(missing),
+                        static_cast<long long>(wanted)));
 }
 
 /** Compares the attitude and the position that both messages hold. @param whose "tf's" */
@@ -103,9 +90,9 @@ void judgeOdometry(const Evidence& evidence, std::vector<Check>& checks) {
     const double at = seconds(s.stamp);
     comparePoses(o, s, "odometry's", pose);
     const std::string& child = o.child_frame_id;
-    const bool of_body = child.size() >= body.name.size() &&
-                         child.compare(child.size() - body.name.size(), body.name.size(), body.name) == 0;
-    if (!of_body) pose.fail(at, "odometry's child_frame_id is \"" + child + "\", not the frame of " + body.name);
+    if (!endsWith(child, body.name)) {
+      pose.fail(at, "odometry's child_frame_id is \"" + child + "\", not the frame of " + body.name);
+    }
     if (o.frame_id != s.frame_id) {
       pose.fail(at, "odometry's frame_id is \"" + o.frame_id + "\", the state's \"" + s.frame_id + "\"");
     }

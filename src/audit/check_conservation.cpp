@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check_torques.h"
 #include "checks.h"
 
 namespace poinsot::audit {

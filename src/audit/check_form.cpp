@@ -9,25 +9,32 @@ namespace {
 constexpr double kUnit = 1e-12;    // of a quaternion's norm
 constexpr double kFields = 1e-14;  // of fields that follow from others of the same message
 
+/** Of the body's own frame and of that of the picture, as far as they came. */
+std::vector<std::pair<std::string, const Track<Transform>*>> framesOf(const Evidence& evidence) {
+  std::vector<std::pair<std::string, const Track<Transform>*>> out;
+  if (!evidence.options.tf || evidence.body.frame.empty()) return out;
+  for (const std::string& frame : {evidence.body.frame, evidence.body.frame + "_space_body"}) {
+    if (const auto* track = evidence.transforms.moving(frame)) out.emplace_back("tf of " + frame, track);
+  }
+  return out;
+}
+
 void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge finite("finite numbers", body.key), unit("unit quaternions", body.key);
-  const auto look = [&](Stamp stamp, const std::string& flaw, const Eigen::Quaterniond& q, const std::string& where) {
-    finite.compare(flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + flaw; });
+  const auto look = [&](Stamp stamp, const Pose& pose, const std::string& where) {
+    const Eigen::Quaterniond& q = pose.attitude_as_sent;
+    finite.compare(pose.flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + pose.flaw; });
     if (!q.coeffs().allFinite()) return;
     unit.compare(std::abs(1 - q.norm()), kUnit, seconds(stamp),
                  [&] { return text("%s: the quaternion's norm is %.12g", where.c_str(), q.norm()); });
   };
-  for (const State& s : body.states) look(s.stamp, s.flaw, s.attitude_as_sent, "state");
+  for (const State& s : body.states) look(s.stamp, s, "state");
   if (evidence.options.odometry) {
-    for (const auto& [stamp, o] : body.odometry.by_stamp) look(stamp, o.flaw, o.attitude_as_sent, "odometry");
+    for (const auto& [stamp, o] : body.odometry.by_stamp) look(stamp, o, "odometry");
   }
-  if (evidence.options.tf && !body.frame.empty()) {
-    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
-      if (const auto* moving = evidence.transforms.moving(frame)) {
-        for (const auto& [stamp, t] : moving->by_stamp) look(stamp, t.flaw, t.attitude_as_sent, "tf of " + frame);
-      }
-    }
+  for (const auto& [frame, track] : framesOf(evidence)) {
+    for (const auto& [stamp, t] : track->by_stamp) look(stamp, t, frame);
   }
   checks.push_back(finite.verdict());
   checks.push_back(unit.verdict());
@@ -40,7 +47,8 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   std::int64_t jumps = 0;
   for (std::size_t i = 0; i < body.states.size(); ++i) {
     const State &a = body.states[i > 0 ? i - 1 : 0], &b = body.states[i];
-    const bool back = b.stamp<a.stamp, new_segment = b.segment> a.segment;
+    const bool back = b.stamp < a.stamp;
+    const bool new_segment = a.segment < b.segment;
     jumps += back && new_segment;
     stamps.compare(back && !new_segment ? 1 : 0, 0, seconds(b.stamp), [&] {
       return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
@@ -55,11 +63,7 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
                     (jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(jumps)) : ""));
   };
   if (evidence.options.odometry) compare("odometry", body.odometry.backwards);
-  if (evidence.options.tf && !body.frame.empty()) {
-    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
-      if (const auto* moving = evidence.transforms.moving(frame)) compare("tf of " + frame, moving->backwards);
-    }
-  }
+  for (const auto& [frame, track] : framesOf(evidence)) compare(frame, track->backwards);
   checks.push_back(stamps.verdict());
   checks.push_back(segments.verdict());
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 
 #include "checks.h"
 
@@ -14,8 +14,6 @@ constexpr double kDrawn = 1e-9;  // relative: doubles all the way, squared and a
 constexpr double kPolhode = 1e-6;
 constexpr double kTooSmall = 0.01;  // m: ellipsoids of a body that nearly rests need not be there
 constexpr double kMostLift = 1.05;  // of a polhode above the surface it would otherwise sink into
-
-using Frames = const Transforms&;
 
 std::string triple(const Eigen::Vector3d& v) {
   return text("(%.6g, %.6g, %.6g)", v.x(), v.y(), v.z());
@@ -33,18 +31,13 @@ std::vector<const Drawing*> drawingsOf(const Body& body, const std::string& what
 struct Ellipsoid {
   Eigen::Isometry3d axes;  ///< of the ellipsoid → of the picture
   Eigen::Vector3d semi;    ///< [m]
+  bool is_sphere;          ///< what a marker of an ellipsoid is
 
   /** Σ(xᵢ/aᵢ)²: 1 on the surface. */
   double valueAt(const Eigen::Vector3d& point) const {
     return (axes.inverse(Eigen::Isometry) * point).cwiseQuotient(semi).squaredNorm();
   }
 };
-
-std::optional<Ellipsoid> ellipsoidIn(const std::string& frame, const Drawing& d, Frames transforms, Stamp stamp) {
-  const auto to = transforms.between(d.frame_id, frame, stamp);
-  if (!to) return std::nullopt;
-  return Ellipsoid{*to * Eigen::Translation3d(d.position) * d.orientation, 0.5 * d.scale};
-}
 
 /** A quantity that an ellipsoid shows. */
 enum Shows { kEnergy, kMomentum };
@@ -76,20 +69,29 @@ struct Known {
   double condition() const { return inertia().moments[2] / inertia().moments[0]; }
 };
 
+/** That with the smallest figure; the end where there is none. */
+template <class Figure>
+std::vector<Ellipsoid>::const_iterator nearest(const std::vector<Ellipsoid>& all, const Figure& figure) {
+  return std::min_element(all.begin(), all.end(),
+                          [&figure](const Ellipsoid& a, const Ellipsoid& b) { return figure(a) < figure(b); });
+}
+
 std::string wrongSize(Shows shows, const Ellipsoid& drawn, const Known& known) {
   const Eigen::Matrix3d axes = drawn.axes.linear();
-  const Eigen::Vector3d wanted = known.semiAxes(shows, axes), ratio = drawn.semi.cwiseQuotient(wanted);
-  const auto all = [&ratio](double value) { return ((ratio / value).array() - 1).abs().maxCoeff() < 1e-3; };
+  const Eigen::Vector3d wanted = known.semiAxes(shows, axes);
+  const auto are = [&drawn](const Eigen::Vector3d& other) {
+    return (drawn.semi.cwiseQuotient(other).array() - 1).abs().maxCoeff() < 1e-3;
+  };
   const bool energy = shows == kEnergy;
   std::string out = std::string(kNames[shows]) + " ellipsoid's semi-axes are " + triple(drawn.semi) + " m, expected " +
                     (energy ? "sqrt(2E/mu) = " : "|L|/mu = ") + triple(wanted) + " m";
   if (known.skew(axes) > 1e-6) return out + "; its axes are not the principal axes";
-  if (all(0.5)) return out + ": half of it, so scale was given as a radius where a SPHERE marker takes a diameter";
-  if (all(2)) return out + ": twice of it";
-  if (energy && all(std::sqrt(0.5))) return out + ": they are sqrt(E/mu)";
+  if (are(0.5 * wanted))
+    return out + ": half of it, so scale was given as a radius where a SPHERE marker takes a diameter";
+  if (are(2 * wanted)) return out + ": twice of it";
+  if (energy && are(std::sqrt(0.5) * wanted)) return out + ": they are sqrt(E/mu)";
   const Eigen::Vector3d mu = (axes.transpose() * known.inertia().tensor * axes).diagonal();
-  const Eigen::Vector3d root = known.drawnMomentum() * mu.cwiseSqrt().cwiseInverse();
-  if (!energy && (drawn.semi.cwiseQuotient(root).array() - 1).abs().maxCoeff() < 1e-3) out += ": they are sqrt(F/mu)";
+  if (!energy && are(known.drawnMomentum() * mu.cwiseSqrt().cwiseInverse())) out += ": they are sqrt(F/mu)";
   return out;
 }
 
@@ -105,6 +107,7 @@ class Picture {
         polhode_(drawingsOf(body_, name_ + "/polhode")) {
     for (const Shows shows : {kEnergy, kMomentum}) {
       for (const Drawing* d : drawingsOf(body_, name_ + "/" + kNames[shows] + "_ellipsoid")) {
+        if (frame_.empty()) frame_ = d->frame_id;
         if (d->stamp == 0) {
           fixed_[shows].push_back(d);
         } else {
@@ -112,12 +115,13 @@ class Picture {
         }
       }
     }
+    if (!omega_.empty()) frame_ = omega_.front()->frame_id + (name_ == "model" ? "" : "_body");
     for (const Segment& segment : evidence_.segments) {
       for (const State* s : segment.states) states_.emplace(s->stamp, Known{s, &segment});
     }
   }
 
-  bool empty() const { return omega_.empty() && anyEllipsoidFrame().empty(); }
+  bool empty() const { return frame_.empty(); }
 
   void judge(bool wants_polhode, std::vector<Check>& checks) {
     judgeSemiAxes(kEnergy, checks);
@@ -129,30 +133,25 @@ class Picture {
  private:
   using Moving = std::multimap<Stamp, const Drawing*>;
 
-  /** The ellipsoids that hold at a stamp: those sent with it, else those that do not change; under torques all do. */
-  std::vector<const Drawing*> at(Stamp stamp, Shows shows) const {
+  /**
+   * The ellipsoids that hold at a stamp, as far as they can be placed in a frame: those sent with it, else those that
+   * do not change; under torques all do.
+   */
+  std::vector<Ellipsoid> at(Stamp stamp, Shows shows, const std::string& frame) const {
     const auto [begin, end] = moving_[shows].equal_range(stamp);
-    std::vector<const Drawing*> found;
-    for (auto it = begin; it != end; ++it) found.push_back(it->second);
-    return found.empty() && free_ ? fixed_[shows] : found;
+    std::vector<const Drawing*> drawings;
+    for (auto it = begin; it != end; ++it) drawings.push_back(it->second);
+    if (drawings.empty() && free_) drawings = fixed_[shows];
+    std::vector<Ellipsoid> found;
+    for (const Drawing* d : drawings) {
+      const auto to = evidence_.transforms.between(d->frame_id, frame, stamp);
+      const bool is_sphere = d->type == visualization_msgs::Marker::SPHERE;
+      if (to) found.push_back({*to * Eigen::Translation3d(d->position) * d->orientation, 0.5 * d->scale, is_sphere});
+    }
+    return found;
   }
 
   std::string label(const std::string& what) const { return what + " (" + name_ + ")"; }
-
-  /** The frame with the picture's body axes: of the model picture the model's own, in space the one that turns. */
-  std::string bodyFrame() const {
-    if (omega_.empty()) return anyEllipsoidFrame();
-    return omega_.front()->frame_id + (name_ == "model" ? "" : "_body");
-  }
-  std::string anyEllipsoidFrame() const {
-    for (const auto& fixed : fixed_) {
-      if (!fixed.empty()) return fixed.front()->frame_id;
-    }
-    for (const Moving& moving : moving_) {
-      if (!moving.empty()) return moving.begin()->second->frame_id;
-    }
-    return "";
-  }
 
   /** What the method allows the motion to have left the ellipsoids by, relatively, of E or |L|². */
   double allowed(Shows shows, const Known& known) const {
@@ -180,25 +179,17 @@ class Picture {
           stamp > moving.begin()->first && stamp < moving.rbegin()->first) {
         ++missing;
       }
-      double best = std::numeric_limits<double>::infinity();
-      std::optional<Ellipsoid> found;
-      bool sphere = true;
-      for (const Drawing* d : at(stamp, shows)) {
-        const auto drawn = ellipsoidIn(bodyFrame(), *d, evidence_.transforms, stamp);
-        if (!drawn) continue;
-        const Eigen::Matrix3d axes = drawn->axes.linear();
-        const Eigen::Vector3d ratio = drawn->semi.cwiseQuotient(known.semiAxes(shows, axes));
-        const double off = std::max((ratio.array() - 1).abs().maxCoeff(), known.skew(axes));
-        if (off < best) {
-          best = off;
-          found = drawn;
-          sphere = d->type == visualization_msgs::Marker::SPHERE;
-        }
-      }
-      if (!found) continue;
-      judge.compare(best, kDrawn + 1e-15 * known.condition() + allowed(shows, known), at_stamp,
-                    [&, known = known] { return wrongSize(shows, *found, known); });
-      if (!sphere) judge.fail(at_stamp, "the ellipsoid is no SPHERE marker");
+      const auto off = [&, known = known](const Ellipsoid& drawn) {
+        const Eigen::Matrix3d axes = drawn.axes.linear();
+        const Eigen::Vector3d ratio = drawn.semi.cwiseQuotient(known.semiAxes(shows, axes));
+        return std::max((ratio.array() - 1).abs().maxCoeff(), known.skew(axes));
+      };
+      const std::vector<Ellipsoid> drawn_ones = at(stamp, shows, frame_);
+      const auto best = nearest(drawn_ones, off);
+      if (best == drawn_ones.end()) continue;
+      judge.compare(off(*best), kDrawn + 1e-15 * known.condition() + allowed(shows, known), at_stamp,
+                    [&, known = known] { return wrongSize(shows, *best, known); });
+      if (!best->is_sphere) judge.fail(at_stamp, "the ellipsoid is no SPHERE marker");
     }
     if (!free_ && static_cast<double>(missing) > evidence_.options.losses * static_cast<double>(body_.states.size())) {
       judge.fail(0, text("%lld states in between have no ellipsoid", static_cast<long long>(missing)));
@@ -223,7 +214,6 @@ class Picture {
     for (Judge* judge : {&drawn, &on}) judge->ifNothing("no " + name_ + "/omega marker at the stamp of a state");
     std::int64_t unplaced = 0;
     std::string unplaced_why;
-    const std::string frame = bodyFrame();
     for (const Drawing* d : omega_) {
       const double at_stamp = seconds(d->stamp);
       const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
@@ -251,24 +241,22 @@ class Picture {
 
       // Where the point lies in the axes in which the ellipsoids stand still.
       std::optional<Eigen::Isometry3d> to_body =
-          evidence_.transforms.between(d->frame_id, frame, d->stamp, s->attitude);
+          evidence_.transforms.between(d->frame_id, frame_, d->stamp, s->attitude);
       if (!to_body && space && !evidence_.options.tf) to_body = Eigen::Isometry3d(s->attitude.conjugate());
       if (!to_body) {
-        if (unplaced++ == 0) unplaced_why = "no tf from " + d->frame_id + " to " + frame + " at the stamp of a marker";
+        if (unplaced++ == 0) unplaced_why = "no tf from " + d->frame_id + " to " + frame_ + " at the stamp of a marker";
         continue;
       }
       const Eigen::Vector3d point = *to_body * tip;
       for (const Shows shows : {kEnergy, kMomentum}) {
-        double best = std::numeric_limits<double>::infinity();
-        for (const Drawing* e : at(d->stamp, shows)) {
-          const auto ellipsoid = ellipsoidIn(frame, *e, evidence_.transforms, d->stamp);
-          if (ellipsoid && std::abs(ellipsoid->valueAt(point) - 1) < std::abs(best))
-            best = ellipsoid->valueAt(point) - 1;
-        }
-        if (!std::isfinite(best)) {
+        const auto value = [&point](const Ellipsoid& e) { return e.valueAt(point) - 1; };
+        const std::vector<Ellipsoid> drawn_ones = at(d->stamp, shows, frame_);
+        const auto nearest_one = nearest(drawn_ones, [&value](const Ellipsoid& e) { return std::abs(value(e)); });
+        if (nearest_one == drawn_ones.end()) {
           if (unplaced++ == 0) unplaced_why = "no ellipsoid to compare with";
           continue;
         }
+        const double best = value(*nearest_one);
         const double condition = known->condition();
         on.compare(std::abs(best), kDrawn + 1e-15 * condition * condition + allowed(shows, *known), at_stamp, [&] {
           return text("omega lies %s the %s ellipsoid as drawn: sum((x/a)^2) = %.9g", best > 0 ? "outside" : "inside",
@@ -290,7 +278,7 @@ class Picture {
   /** Whether a marker lacks its tf although tf was received before and after it. */
   bool unplacedInside() const {
     if (name_ != "space" || omega_.empty()) return true;
-    const Track<Transform>* turning = evidence_.transforms.moving(bodyFrame());
+    const Track<Transform>* turning = evidence_.transforms.moving(frame_);
     if (!turning) return true;
     return std::any_of(omega_.begin(), omega_.end(), [&known = turning->by_stamp](const Drawing* d) {
       return d->stamp >= known.begin()->first && d->stamp <= known.rbegin()->first && !known.count(d->stamp);
@@ -311,24 +299,18 @@ class Picture {
       }
       // Of several pairs of ellipsoids that were drawn in turn, the one on which it lies best.
       double best = std::numeric_limits<double>::infinity(), best_lift = 0;
-      for (const Drawing* e : at(d->stamp, kEnergy)) {
-        for (const Drawing* m : at(d->stamp, kMomentum)) {
-          const auto energy = ellipsoidIn(d->frame_id, *e, evidence_.transforms, d->stamp);
-          const auto momentum = ellipsoidIn(d->frame_id, *m, evidence_.transforms, d->stamp);
-          if (!energy || !momentum) continue;
-          const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
-          double mean = 0;
-          std::vector<double> values;
-          for (const Eigen::Vector3d& p : d->points) {
-            for (const Ellipsoid* ellipsoid : {&*energy, &*momentum}) values.push_back(ellipsoid->valueAt(pose * p));
+      const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
+      for (const Ellipsoid& energy : at(d->stamp, kEnergy, d->frame_id)) {
+        for (const Ellipsoid& momentum : at(d->stamp, kMomentum, d->frame_id)) {
+          Eigen::ArrayXd values(2 * d->points.size());
+          for (std::size_t i = 0; i < d->points.size(); ++i) {
+            const Eigen::Vector3d p = pose * d->points[i];
+            values.segment<2>(2 * static_cast<Eigen::Index>(i)) << energy.valueAt(p), momentum.valueAt(p);
           }
-          for (const double value : values) mean += value / static_cast<double>(values.size());
-          const double lift = std::sqrt(mean);
-          double worst = 0;
-          for (const double value : values) worst = std::max(worst, std::abs(value / mean - 1));
+          const double mean = values.mean(), worst = (values / mean - 1).abs().maxCoeff();
           if (worst < best) {
             best = worst;
-            best_lift = lift;
+            best_lift = std::sqrt(mean);
           }
         }
       }
@@ -347,6 +329,7 @@ class Picture {
   const Evidence& evidence_;
   const Body& body_;
   std::string name_;
+  std::string frame_;  ///< with the body axes of the picture: of the model its own, in space the one that turns
   bool free_;
   std::vector<const Drawing*> omega_, polhode_, fixed_[2];  ///< ellipsoids: by what they show
   Moving moving_[2];
@@ -358,8 +341,8 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
   Judge form("markers well formed", body.key), stamps("marker stamps are states' stamps", body.key, "s");
   form.ifNothing("no marker of this body was received");
   stamps.ifNothing("no moving marker of this body was received");
-  std::set<Stamp> of_states;
-  for (const State& s : body.states) of_states.insert(s.stamp);
+  std::map<Stamp, const State*> of_states;
+  for (const State& s : body.states) of_states.emplace(s.stamp, &s);
   for (const Drawing& d : body.drawings) {
     const double at = seconds(d.stamp);
     form.compare(d.flaw.empty() ? 0 : 1, 0, at, [&] { return d.name_space + ": " + d.flaw; });
@@ -368,10 +351,8 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
       form.compare(std::abs(1 - norm), 1e-12, at,
                    [&] { return text("%s: the quaternion's norm is %.12g", d.name_space.c_str(), norm); });
     }
-    if (d.stamp == 0 || d.stamp < *of_states.begin() || d.stamp > *of_states.rbegin()) continue;
-    const auto after = of_states.lower_bound(d.stamp);
-    double off = std::abs(seconds(*after - d.stamp));
-    if (after != of_states.begin()) off = std::min(off, std::abs(seconds(d.stamp - *std::prev(after))));
+    if (d.stamp == 0 || d.stamp < of_states.begin()->first || d.stamp > of_states.rbegin()->first) continue;
+    const double off = std::abs(toNearest(of_states, d.stamp));
     stamps.compare(off, 0, at,
                    [&] { return text("no state has a marker's stamp; the nearest is %.1f ms off", 1e3 * off); });
   }
@@ -380,14 +361,12 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
 }
 
 /** True when Ω moves in the body, so that it has a polhode that is more than a point. */
-bool omegaMoves(const Body& body) {
-  const State* first = nullptr;
-  for (const State& s : body.states) {
-    if (!s.flaw.empty()) continue;
-    if (!first) first = &s;
-    if ((s.omega_body - first->omega_body).norm() > 1e-3 * first->omega_body.norm()) return true;
-  }
-  return false;
+bool omegaMoves(const std::vector<Segment>& segments) {
+  const Eigen::Vector3d& omega = segments.front().first().omega_body;
+  return std::any_of(segments.begin(), segments.end(), [&omega](const Segment& segment) {
+    return std::any_of(segment.states.begin(), segment.states.end(),
+                       [&omega](const State* s) { return (s->omega_body - omega).norm() > 1e-3 * omega.norm(); });
+  });
 }
 
 }  // namespace
@@ -402,7 +381,7 @@ void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks) {
   for (const char* name : {"model", "space"}) {
     Picture picture(evidence, name);
     // Poinsot's construction is a free body's; of others only what is drawn is judged.
-    if (free || !picture.empty()) picture.judge(free && omegaMoves(body), checks);
+    if (free || !picture.empty()) picture.judge(free && omegaMoves(evidence.segments), checks);
   }
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check_torques.h"
 #include "checks.h"
 
 namespace poinsot::audit {
@@ -25,23 +24,6 @@ struct Interval {
   double time = b.time - a.time;                              ///< how far `time` advances [s]
   bool same = std::abs(time - duration) <= rounding + 1e-12;  ///< both agree
 };
-
-void judgeTime(const Evidence& evidence, std::vector<Check>& checks) {
-  Judge judge("time advances by time_rate", evidence.body.key, "s");
-  judge.ifNothing("no two consecutive messages of one segment");
-  for (const Segment& segment : evidence.segments) {
-    segment.forPairs([&](const State& a, const State& b) {
-      const Interval v(a, b);
-      const double bound = v.rounding + 1e-15 * (1 + std::abs(a.time) + std::abs(b.time));
-      judge.compare(std::abs(v.time - v.duration), bound, seconds(b.stamp), [&] {
-        return text("time advances by %.9g s while time_rate %g over %.9g s of stamp says %.9g s", v.time, a.time_rate,
-                    v.stamps, v.duration) +
-               (v.duration != 0 ? text(" (ratio %.4f)", v.time / v.duration) : "");
-      });
-    });
-  }
-  checks.push_back(judge.verdict());
-}
 
 /** In words: how the turn from a to b differs from the one expected. @param theta that one, in the axes of a [rad] */
 std::string wrongTurn(const Interval& v, const Vector3d& theta) {
@@ -71,19 +53,27 @@ class Motion {
   Motion(const Evidence& evidence, std::vector<Check>& checks)
       : evidence_(evidence),
         checks_(checks),
+        time_("time advances by time_rate", evidence.body.key, "s"),
         rotation_("dR/dstamp = time_rate R hat(omega)", evidence.body.key, "rad"),
         euler_(evidence.body.isFree() ? "Euler's equations" : "Euler's equations with torque", evidence.body.key),
         far_attitude_("one motion: attitude", evidence.body.key, "rad"),
         far_omega_("one motion: omega", evidence.body.key),
         torques_(evidence.body.key) {}
 
-  void judge() {
+  /** @param known whether all that acts is; else only the time is judged. */
+  void judge(bool known) {
     std::string unknown;
     for (const Segment& segment : evidence_.segments) {
       if (unknown.empty()) unknown = segment.bounds.unknown();
-      segment.forPairs([&](const State& a, const State& b) { judgePair(segment, Interval(a, b)); });
-      if (segment.body->effects().turns) judgeFar(segment);
+      segment.forPairs([&](const State& a, const State& b) {
+        judgeTime(Interval(a, b));
+        if (known) judgePair(segment, Interval(a, b));
+      });
+      if (known && segment.body->effects().turns) judgeFar(segment);
     }
+    time_.ifNothing("no two consecutive messages of one segment");
+    checks_.push_back(time_.verdict());
+    if (!known) return;
     if (!unknown.empty()) rotation_.note(unknown + "; 1e-3 of the turn was allowed for it");
     std::vector<Judge*> of_pairs = torques_.inUse(evidence_);
     of_pairs.insert(of_pairs.begin(), {&rotation_, &euler_});
@@ -102,6 +92,15 @@ class Motion {
       judge.note(text("%lld pairs of messages lie too far apart to judge", static_cast<long long>(skipped_)));
     }
     checks_.push_back(judge.verdict());
+  }
+
+  void judgeTime(const Interval& v) {
+    const double bound = v.rounding + 1e-15 * (1 + std::abs(v.a.time) + std::abs(v.b.time));
+    time_.compare(std::abs(v.time - v.duration), bound, seconds(v.b.stamp), [&] {
+      return text("time advances by %.9g s while time_rate %g over %.9g s of stamp says %.9g s", v.time, v.a.time_rate,
+                  v.stamps, v.duration) +
+             (v.duration != 0 ? text(" (ratio %.4f)", v.time / v.duration) : "");
+    });
   }
 
   void judgePair(const Segment& segment, const Interval& v) {
@@ -184,7 +183,7 @@ class Motion {
 
   const Evidence& evidence_;
   std::vector<Check>& checks_;
-  Judge rotation_, euler_, far_attitude_, far_omega_;
+  Judge time_, rotation_, euler_, far_attitude_, far_omega_;
   TorqueJudges torques_;
   std::int64_t skipped_ = 0;
 };
@@ -215,11 +214,10 @@ void judgePosition(const Evidence& evidence, std::vector<Check>& checks) {
 }  // namespace
 
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks) {
-  judgeTime(evidence, checks);
   // Where an effect cannot be read, nothing is known of the motion; judgeDescription has said so.
-  if (!evidence.body.effectsAreRead()) return;
-  Motion(evidence, checks).judge();
-  judgePosition(evidence, checks);
+  const bool known = evidence.body.effectsAreRead();
+  Motion(evidence, checks).judge(known);
+  if (known) judgePosition(evidence, checks);
 }
 
 }  // namespace poinsot::audit

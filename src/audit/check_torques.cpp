@@ -1,7 +1,7 @@
-#include "check_torques.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -131,7 +131,7 @@ std::vector<Constant> constantsUnderTorques(const Segment& segment) {
           });
     }
   }
-  if (effects.onlyOrbits()) {
+  if (effects.onlyOrbit()) {
     const Effects::Orbit& orbit = effects.orbits[0];
     const double n = orbit.rate, potential = 1.5 * n * n * body.inertia().moments[2];
     add("E - n N.L + 3/2 n^2 u'Mu conserved", "E - n N.L + 3/2 n^2 u'Mu",

@@ -26,17 +26,14 @@ struct Series {
     for (int k = 0; k < terms; ++k) c[k] += other.c[k];
     return *this;
   }
-  Series& operator*=(double factor) {
-    for (double& term : c) term *= factor;
-    return *this;
-  }
 };
 
 Series operator+(Series a, const Series& b) {
   return a += b;
 }
 Series operator*(double a, Series b) {
-  return b *= a;
+  for (double& term : b.c) term *= a;
+  return b;
 }
 Series operator-(const Series& a, const Series& b) {
   return a + -1.0 * b;
@@ -158,19 +155,12 @@ std::array<Series*, 10> numbersOf(PhaseOf<Series>& p) {
 }  // namespace
 
 Quaterniond rotationBy(const Vector3d& theta) {
-  const double half = 0.5 * theta.norm();
-  const double s = half < 1e-4 ? 0.5 * (1 - half * half / 6) : 0.5 * std::sin(half) / half;
-  Quaterniond q;
-  q.w() = std::cos(half);
-  q.vec() = s * theta;
-  return q.normalized();
+  return Quaterniond(Eigen::AngleAxisd(theta.stableNorm(), theta.stableNormalized()));
 }
 
 Vector3d rotationVector(const Quaterniond& q) {
-  const Quaterniond p = q.w() < 0 ? Quaterniond(-q.coeffs()) : q;
-  const double s = p.vec().norm();
-  if (s < 1e-12) return 2 * p.vec();
-  return (2 * std::atan2(s, p.w()) / s) * p.vec();
+  const Eigen::AngleAxisd turn(q);
+  return turn.angle() * turn.axis();
 }
 
 Inertia::Inertia(const Eigen::Matrix3d& m) : tensor(m), inverse(m.inverse()) {

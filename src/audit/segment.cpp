@@ -71,12 +71,4 @@ std::optional<Followed> follow(const Segment& segment, const State& a, double du
   return Followed{*to, u, attitude, omega, neighbours};
 }
 
-double attitudeDifference(const Phase& a, const Phase& b) {
-  return angleBetween(a.attitude, b.attitude);
-}
-
-double omegaDifference(const Phase& a, const Phase& b) {
-  return (a.omega - b.omega).norm();
-}
-
 }  // namespace poinsot::audit

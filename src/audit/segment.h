@@ -53,7 +53,11 @@ double uncertainty(const Segment& segment, const State& a, double duration);
 /** The audit's own integration from a state. Nothing where it is too vague to judge by, or would take too long. */
 std::optional<Followed> follow(const Segment& segment, const State& a, double duration);
 
-double attitudeDifference(const Phase& a, const Phase& b);
-double omegaDifference(const Phase& a, const Phase& b);
+inline double attitudeDifference(const Phase& a, const Phase& b) {
+  return angleBetween(a.attitude, b.attitude);
+}
+inline double omegaDifference(const Phase& a, const Phase& b) {
+  return (a.omega - b.omega).norm();
+}
 
 }  // namespace poinsot::audit

@@ -17,12 +17,6 @@ const Track<Transform>* Transforms::moving(const std::string& child) const {
   return found == moving_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> Transforms::movingFrames() const {
-  std::vector<std::string> names;
-  for (const auto& entry : moving_) names.push_back(entry.first);
-  return names;
-}
-
 const Transform* Transforms::fixed(const std::string& child) const {
   const auto found = fixed_.find(child);
   return found == fixed_.end() ? nullptr : &found->second;

@@ -61,15 +61,11 @@ class Audit {
   template <class Message>
   bool isRepeated(const Message& message, const std::string& topic);
 
-  struct Drawings {
-    std::vector<Drawing> fixed, moving;
-  };
-
   Options options_;
   std::map<std::string, Body> states_;  ///< by the topic's namespace; with their states only
   std::map<std::string, std::vector<Description>> descriptions_;
   std::map<std::string, Track<Odometry>> odometry_;
-  std::map<std::string, Drawings> drawings_;  ///< by the topic's namespace
+  std::map<std::string, std::vector<Drawing>> drawings_;  ///< by the topic's namespace
   Transforms transforms_;
   std::unordered_set<std::size_t> heard_;  ///< digests of the messages that must not be judged twice
 };

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <geometry_msgs/Point.h>
 #include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/TransformStamped.h>
-#include <geometry_msgs/Vector3.h>
 #include <nav_msgs/Odometry.h>
 #include <poinsot/BodyDescription.h>
 #include <poinsot/BodyState.h>
@@ -13,7 +11,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,15 +35,16 @@ inline double seconds(Stamp stamp) {
   return 1e-9 * static_cast<double>(stamp);
 }
 
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Point& v) {
-  return {v.x, v.y, v.z};
-}
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Vector3& v) {
+/** Of a geometry_msgs/Point or Vector3. */
+template <class Xyz>
+Eigen::Vector3d vectorOf(const Xyz& v) {
   return {v.x, v.y, v.z};
 }
 inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) {
   return {q.w, q.x, q.y, q.z};
 }
+
+bool endsWith(const std::string& text, const std::string& tail);
 
 /** The angle of the rotation that takes a to b [rad], in [0, π]; both unit, either sign. Accurate for small angles. */
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
@@ -71,6 +73,17 @@ struct Odometry : Pose {
   Eigen::Vector3d linear, angular;
   std::string child_frame_id;
 };
+
+/** How far the nearest of some stamps lies from one [s, negative: before it]. */
+template <class Keyed>
+double toNearest(const Keyed& by_stamp, Stamp stamp) {
+  double best = std::numeric_limits<double>::infinity();
+  const auto after = by_stamp.lower_bound(stamp);
+  if (after != by_stamp.end()) best = seconds(after->first - stamp);
+  if (after == by_stamp.begin()) return best;
+  const double before = seconds(std::prev(after)->first - stamp);
+  return std::abs(before) < std::abs(best) ? before : best;
+}
 
 /** The messages of a topic, or of a tf frame. Where the clock jumps back, or stands still, a stamp comes again. */
 template <class Message>
@@ -115,13 +128,11 @@ struct Description {
 struct Drawing {
   Stamp stamp = 0;  ///< 0: does not change
   std::string name_space, frame_id;
-  int id = 0, type = 0;
+  int type = 0;
   Eigen::Vector3d position, scale;
   Eigen::Quaterniond orientation_as_sent, orientation;
   std::vector<Eigen::Vector3d> points;  ///< of polhodes and arrows only
   std::string flaw;
-
-  bool sameAs(const Drawing& other) const;
 };
 
 State read(const poinsot::BodyState& message);
@@ -163,7 +174,7 @@ class Transforms {
 
   /** Those of one frame that moves, or nullptr. */
   const Track<Transform>* moving(const std::string& child) const;
-  std::vector<std::string> movingFrames() const;
+  const std::map<std::string, Track<Transform>>& moving() const { return moving_; }
   const Transform* fixed(const std::string& child) const;
 
   /**
