@@ -44,23 +44,20 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge stamps("stamps never decrease", body.key), segments("segments never decrease", body.key);
   // Where a clock jumps back a new segment begins; in the other topics the same is to be seen, at most so often.
-  std::int64_t jumps = 0;
   for (std::size_t i = 0; i < body.states.size(); ++i) {
     const State &a = body.states[i > 0 ? i - 1 : 0], &b = body.states[i];
-    const bool back = b.stamp < a.stamp;
-    const bool new_segment = a.segment < b.segment;
-    jumps += back && new_segment;
-    stamps.compare(back && !new_segment ? 1 : 0, 0, seconds(b.stamp), [&] {
+    stamps.compare(b.stamp < a.stamp && b.segment <= a.segment ? 1 : 0, 0, seconds(b.stamp), [&] {
       return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
     });
     segments.compare(b.segment < a.segment ? 1 : 0, 0, seconds(b.stamp),
                      [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
   }
   const auto compare = [&](const std::string& what, std::int64_t backwards) {
-    if (body.repeats || backwards <= jumps) return;
-    stamps.fail(0,
-                text("%s: %lld stamps lie before the one before", what.c_str(), static_cast<long long>(backwards)) +
-                    (jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(jumps)) : ""));
+    if (body.repeats || body.listed || backwards <= body.jumps) return;
+    stamps.fail(
+        0,
+        text("%s: %lld stamps lie before the one before", what.c_str(), static_cast<long long>(backwards)) +
+            (body.jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(body.jumps)) : ""));
   };
   if (evidence.options.odometry) compare("odometry", body.odometry.backwards);
   for (const auto& [frame, track] : framesOf(evidence)) compare(frame, track->backwards);

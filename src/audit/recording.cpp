@@ -156,12 +156,16 @@ void Body::putInOrder() {
     disorder = true;
     goes_on = goes_on || std::abs(b.time - a.time - a.time_rate * seconds(b.stamp - a.stamp)) < 1e-8;
   }
-  if (!disorder) return;
-  if (sequence.size() == states.size()) {
+  if (disorder && sequence.size() == states.size()) {
+    listed = true;
     std::sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.sequence < b.sequence; });
-  } else if (!goes_on) {
+  } else if (disorder && !goes_on) {
+    listed = true;
     std::stable_sort(states.begin(), states.end(),
                      [](const State& a, const State& b) { return a.segment < b.segment; });
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    jumps += states[i].stamp < states[i - 1].stamp && states[i].segment > states[i - 1].segment;
   }
 }
 

@@ -202,6 +202,20 @@ TEST(Correct, AClockThatJumpsBackSeveralTimes) {
   }
 }
 
+/** Messages reach a recorder late or not at all, those of one topic before those of another. */
+TEST(Correct, AClockThatJumpsBackAsItIsRecorded) {
+  Stream stream = clockLoops(3, 0, true);
+  stream.states.erase(stream.states.begin(), stream.states.begin() + 3);
+  stream = listedByStamp(stream);
+  std::swap(stream.odometry[70], stream.odometry[75]);
+  std::swap(stream.tf[50], stream.tf[58]);
+  std::swap(stream.states[80], stream.states[85]);
+  expectPass(stream.judged());
+  stream.markers[100].markers[1].pose.position.x += 1e-6;
+  expectFailures(stream.judged(), {"omega drawn to scale (model)", "omega on both ellipsoids (model)"},
+                 "model/omega is drawn at");
+}
+
 /** A bag that is played in a loop sends the same messages again; whoever records that may join at any time. */
 TEST(Correct, ARecordingPlayedInALoop) {
   const Stream once = clockLoops(2, 3000000, true);

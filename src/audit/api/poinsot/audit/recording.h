@@ -147,6 +147,8 @@ struct Body {
   std::string name;           ///< as its messages say
   std::vector<State> states;  ///< as received, until they are put in order
   bool repeats = false;       ///< some of them came again, which are left out: a recording was played in a loop
+  bool listed = false;        ///< in another order than that in which they were sent
+  std::int64_t jumps = 0;     ///< how often their clock jumped back, as far as it can be seen
   Track<Odometry> odometry;
   std::vector<Description> descriptions;
   std::vector<Drawing> drawings;  ///< the markers whose namespace begins with its name
