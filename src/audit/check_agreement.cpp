@@ -89,9 +89,8 @@ void judgeOdometry(const Evidence& evidence, std::vector<Check>& checks) {
   pairUp(evidence, body.odometry, "odometry", pose, [&](const State& s, const Odometry& o) {
     const double at = seconds(s.stamp);
     comparePoses(o, s, "odometry's", pose);
-    const std::string& child = o.child_frame_id;
-    if (!endsWith(child, body.name)) {
-      pose.fail(at, "odometry's child_frame_id is \"" + child + "\", not the frame of " + body.name);
+    if (!endsWith(o.child_frame_id, body.name)) {
+      pose.fail(at, "odometry's child_frame_id is \"" + o.child_frame_id + "\", not the frame of " + body.name);
     }
     if (o.frame_id != s.frame_id) {
       pose.fail(at, "odometry's frame_id is \"" + o.frame_id + "\", the state's \"" + s.frame_id + "\"");

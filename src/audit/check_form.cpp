@@ -115,9 +115,9 @@ void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
 }
 
 void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
-  const Body& body = evidence.body;
-  Judge omega("omega_world = R omega_body", body.key), momentum("momentum_world = R M omega_body", body.key),
-      energy("kinetic_energy = 1/2 omega' M omega", body.key);
+  const std::string& key = evidence.body.key;
+  Judge omega("omega_world = R omega_body", key), momentum("momentum_world = R M omega_body", key),
+      energy("kinetic_energy = 1/2 omega' M omega", key);
   const auto judge = [&](const Segment& segment, const State& s) {
     const Inertia& inertia = segment.body->inertia();
     const double at = seconds(s.stamp), rate = s.omega_body.norm();

@@ -266,11 +266,11 @@ class Picture {
           continue;
         }
         const double best = value(*nearest_one);
-        const double condition = known->condition();
-        on.compare(std::abs(best), kDrawn + 1e-15 * condition * condition + allowed(shows, *known), at_stamp, [&] {
-          return text("omega lies %s the %s ellipsoid as drawn: sum((x/a)^2) = %.9g", best > 0 ? "outside" : "inside",
-                      kNames[shows], 1 + best);
-        });
+        on.compare(std::abs(best), kDrawn + 1e-15 * std::pow(known->condition(), 2) + allowed(shows, *known), at_stamp,
+                   [&] {
+                     return text("omega lies %s the %s ellipsoid as drawn: sum((x/a)^2) = %.9g",
+                                 best > 0 ? "outside" : "inside", kNames[shows], 1 + best);
+                   });
       }
     }
     const double share = evidence_.options.losses * static_cast<double>(on.count() + unplaced);
@@ -355,11 +355,9 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
   for (const Drawing& d : body.drawings) {
     const double at = seconds(d.stamp);
     form.compare(d.flaw.empty() ? 0 : 1, 0, at, [&] { return d.name_space + ": " + d.flaw; });
-    if (d.flaw.empty()) {
-      const double norm = d.orientation_as_sent.norm();
-      form.compare(std::abs(1 - norm), 1e-12, at,
-                   [&] { return text("%s: the quaternion's norm is %.12g", d.name_space.c_str(), norm); });
-    }
+    const double norm = d.flaw.empty() ? d.orientation_as_sent.norm() : 1;
+    form.compare(std::abs(1 - norm), 1e-12, at,
+                 [&] { return text("%s: the quaternion's norm is %.12g", d.name_space.c_str(), norm); });
     if (d.stamp == 0 || d.stamp < of_states.begin()->first || d.stamp > of_states.rbegin()->first) continue;
     const double off = std::abs(toNearest(of_states, d.stamp));
     stamps.compare(off, 0, at,

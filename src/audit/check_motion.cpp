@@ -75,8 +75,8 @@ class Motion {
     checks_.push_back(time_.verdict());
     if (!known) return;
     if (!unknown.empty()) rotation_.note(unknown + "; 1e-3 of the turn was allowed for it");
-    std::vector<Judge*> of_pairs = torques_.inUse(evidence_);
-    of_pairs.insert(of_pairs.begin(), {&rotation_, &euler_});
+    std::vector<Judge*> of_pairs = {&rotation_, &euler_};
+    torques_.addTo(of_pairs, evidence_);
     for (Judge* judge : of_pairs) concludePairs(*judge);
     // Of recordings too short, or too vague, for a long look the pairs were judged.
     for (Judge* judge : {&far_attitude_, &far_omega_}) {

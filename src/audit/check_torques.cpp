@@ -8,10 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d along(double value) {
-  return {value, 0, 0};
-}
-
 /** All weights of a body as one. */
 struct Weights {
   explicit Weights(const RigidBody& body) {
@@ -83,13 +79,12 @@ void TorqueJudges::judge(const Segment& segment, const State& a, const State& b,
   });
 }
 
-std::vector<Judge*> TorqueJudges::inUse(const Evidence& evidence) {
-  if (evidence.body.isFree()) return {};
-  std::vector<Judge*> out = {&momentum_};
+void TorqueJudges::addTo(std::vector<Judge*>& out, const Evidence& evidence) {
+  if (evidence.body.isFree()) return;
+  out.push_back(&momentum_);
   if (!at_rest_ || energy_.count() > 0) out.push_back(&energy_);
   const auto hasSlug = [](const Segment& segment) { return segment.body->effects().slug.has_value(); };
   if (std::any_of(evidence.segments.begin(), evidence.segments.end(), hasSlug)) out.push_back(&slug_);
-  return out;
 }
 
 std::vector<Constant> constantsUnderTorques(const Segment& segment) {
@@ -118,16 +113,18 @@ std::vector<Constant> constantsUnderTorques(const Segment& segment) {
         [&body](const State&, const Phase& p) {
           double e = body.energy(p);
           for (const Effects::Weight& w : body.effects().weights) e -= w.mass * w.gravity.dot(p.attitude * w.centre);
-          return along(e);
+          return Vector3d(e, 0, 0);
         });
     if (weights.parallel && !weights.gravity.isZero(0)) {
       add("L along g conserved", "the component of L along g", segment.momentum, of_momentum,
-          [&body, g = weights.gravity](const State&, const Phase& p) { return along(body.momentum(p).dot(g)); });
+          [&body, g = weights.gravity](const State&, const Phase& p) {
+            return Vector3d(body.momentum(p).dot(g), 0, 0);
+          });
     }
     if (weights.parallel && weights.centre.norm() > 0 && weights.symmetric(body.inertia())) {
       add("L along the top's axis conserved", "the component of L along a symmetric top's axis", segment.momentum,
           of_momentum, [&body, axis = Vector3d(weights.centre.normalized())](const State&, const Phase& p) {
-            return along((body.inertia().tensor * p.omega).dot(axis));
+            return Vector3d((body.inertia().tensor * p.omega).dot(axis), 0, 0);
           });
     }
   }
@@ -138,8 +135,8 @@ std::vector<Constant> constantsUnderTorques(const Segment& segment) {
         segment.energy + n * segment.momentum + potential, of_energy + n * of_momentum + 2 * potential,
         [&body, &orbit, n](const State& s, const Phase& p) {
           const Vector3d u = p.attitude.conjugate() * orbit.radialAt(s.time);
-          return along(body.energy(p) - n * orbit.normal.dot(body.momentum(p)) +
-                       1.5 * n * n * u.dot(body.inertia().tensor * u));
+          const double e = body.energy(p) + 1.5 * n * n * u.dot(body.inertia().tensor * u);
+          return Vector3d(e - n * orbit.normal.dot(body.momentum(p)), 0, 0);
         });
   }
   return out;

@@ -52,8 +52,8 @@ class TorqueJudges {
 
   void judge(const Segment& segment, const State& a, const State& b, const Followed& followed);
 
-  /** Those that have something to say of this body. */
-  std::vector<Judge*> inUse(const Evidence& evidence);
+  /** Appends those that have something to say of this body. */
+  void addTo(std::vector<Judge*>& out, const Evidence& evidence);
 
  private:
   Judge momentum_, energy_, slug_;

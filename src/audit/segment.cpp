@@ -4,11 +4,8 @@
 #include <cmath>
 
 namespace poinsot::audit {
-namespace {
 
 constexpr double kTooVague = 0.05;  // rad: a bound above this judges nothing
-
-}  // namespace
 
 std::vector<Segment> segmentsOf(const Body& body) {
   std::vector<Segment> segments;

@@ -177,7 +177,6 @@ class Transforms {
   /** Those of one frame that moves, or nullptr. */
   const Track<Transform>* moving(const std::string& child) const;
   const std::map<std::string, Track<Transform>>& moving() const { return moving_; }
-  const Transform* fixed(const std::string& child) const;
 
   /**
    * v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received.
