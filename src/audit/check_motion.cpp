@@ -16,8 +16,7 @@ constexpr double kMostSubsteps = 200000;  // of a long look
 struct Interval {
   Interval(const State& from, const State& to) : a(from), b(to) {}
 
-  const State& a;
-  const State& b;
+  const State &a, &b;
   double stamps = seconds(b.stamp - a.stamp);                 ///< [s]
   double duration = a.time_rate * stamps;                     ///< simulation time, as the stream says [s]
   double rounding = std::abs(a.time_rate) * kStampRounding;   ///< of that [s]
