@@ -1,9 +1,11 @@
 #include "poinsot/audit/audit.h"
 
-#include <algorithm>
-#include <set>
+#include <ros/serialization.h>
 
-#include "poinsot/audit/checks.h"
+#include <algorithm>
+#include <functional>
+
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -12,36 +14,36 @@ std::string parentOf(const std::string& topic) {
   return topic.substr(0, std::min(topic.rfind('/'), topic.size()));
 }
 
-bool endsWith(const std::string& text, const std::string& tail) {
-  return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+std::string withSlash(const std::string& topic) {
+  return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
 }
 
 /** "/a/wingnut" of "/a/wingnut/state"; a topic that was renamed stands for itself. */
 std::string keyOf(const std::string& topic, const char* name) {
-  const std::string absolute = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+  const std::string absolute = withSlash(topic);
   return endsWith(absolute, std::string("/") + name) ? parentOf(absolute) : absolute;
 }
 
-/** The only body that answers to `matches`, or nullptr. */
-template <typename Matches>
-Body* onlyOne(std::map<std::string, Body>& bodies, const Matches& matches) {
-  Body* found = nullptr;
-  for (auto& entry : bodies) {
-    if (!matches(entry.second)) continue;
-    if (found) return nullptr;
-    found = &entry.second;
-  }
-  return found;
-}
-
 }  // namespace
+
+template <class Message>
+bool Audit::isRepeated(const Message& message, const std::string& topic) {
+  std::string bytes(ros::serialization::serializationLength(message), '\0');
+  ros::serialization::OStream out(reinterpret_cast<std::uint8_t*>(&bytes[0]), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+  return !heard_.insert(std::hash<std::string>()(topic + bytes)).second;
+}
 
 void Audit::add(const BodyState& message, const std::string& topic) {
   const std::string key = keyOf(topic, "state");
   Body& body = states_[key];
   body.key = key;
   body.name = message.body;
-  body.states.push_back(read(message));
+  if (isRepeated(message, topic)) {
+    body.repeats = true;
+  } else {
+    body.states.push_back(read(message));
+  }
 }
 
 void Audit::add(const BodyDescription& message, const std::string& topic) {
@@ -49,15 +51,13 @@ void Audit::add(const BodyDescription& message, const std::string& topic) {
 }
 
 void Audit::add(const nav_msgs::Odometry& message, const std::string& topic) {
-  OdometryTopic& of_topic = odometry_[keyOf(topic, "odometry")];
-  const Stamp stamp = stampOf(message.header.stamp);
-  if (!of_topic.by_stamp.empty() && stamp < of_topic.last) ++of_topic.backwards;
-  of_topic.last = stamp;
-  of_topic.by_stamp.emplace(stamp, read(message));
+  if (isRepeated(message, topic)) return;
+  odometry_[keyOf(topic, "odometry")].add(stampOf(message.header.stamp), read(message));
 }
 
 void Audit::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (const geometry_msgs::TransformStamped& t : message.transforms) {
+    if (!is_static && isRepeated(t, "tf")) continue;
     const std::string& child = t.child_frame_id;
     transforms_.add(!child.empty() && child[0] == '/' ? child.substr(1) : child, stampOf(t.header.stamp), read(t),
                     is_static);
@@ -65,26 +65,31 @@ void Audit::add(const tf2_msgs::TFMessage& message, bool is_static) {
 }
 
 void Audit::add(const visualization_msgs::MarkerArray& message, const std::string& topic) {
-  const std::string absolute = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
-  Drawings& drawings = drawings_[parentOf(absolute)];
+  std::vector<Drawing>& drawings = drawings_[parentOf(withSlash(topic))];
   for (const visualization_msgs::Marker& marker : message.markers) {
     if (marker.action != visualization_msgs::Marker::ADD) continue;
-    Drawing drawing = read(marker);
-    if (drawing.stamp != 0) {
-      drawings.moving.push_back(std::move(drawing));
-      continue;
-    }
     // What does not change is sent whole, again and again: one copy will do.
-    const auto same = [&drawing](const Drawing& other) { return drawing.sameAs(other); };
-    if (std::none_of(drawings.fixed.begin(), drawings.fixed.end(), same)) drawings.fixed.push_back(std::move(drawing));
+    if (marker.header.stamp.isZero() && isRepeated(marker, topic)) continue;
+    drawings.push_back(read(marker));
   }
 }
 
 std::map<std::string, Body> Audit::bodies() const {
   std::map<std::string, Body> bodies = states_;
+  // The body of that key, or else the only one that answers to `matches`; or nullptr.
+  const auto find = [&bodies](const std::string& key, const auto& matches) -> Body* {
+    if (const auto known = bodies.find(key); known != bodies.end()) return &known->second;
+    Body* found = nullptr;
+    for (auto& entry : bodies) {
+      if (!matches(entry.second.name)) continue;
+      if (found) return nullptr;
+      found = &entry.second;
+    }
+    return found;
+  };
   for (const auto& [key, descriptions] : descriptions_) {
     const std::string& name = descriptions.front().body;
-    Body* body = bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return b.name == name; });
+    Body* body = find(key, [&](const std::string& known) { return known == name; });
     if (!body) {
       body = &bodies[key];
       body->key = key;
@@ -94,39 +99,36 @@ std::map<std::string, Body> Audit::bodies() const {
   }
   for (const auto& [key, odometry] : odometry_) {
     const std::string& frame = odometry.by_stamp.begin()->second.child_frame_id;
-    Body* body =
-        bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return endsWith(frame, b.name); });
+    Body* body = find(key, [&](const std::string& known) { return endsWith(frame, known); });
     if (!body) continue;  // somebody else's robot
-    body->odometry.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
-    body->odometry_backwards += odometry.backwards;
+    body->odometry.by_stamp.insert(odometry.by_stamp.begin(), odometry.by_stamp.end());
+    body->odometry.backwards += odometry.backwards;
   }
   for (const auto& [name_space, drawings] : drawings_) {
-    for (const auto* list : {&drawings.fixed, &drawings.moving}) {
-      for (const Drawing& drawing : *list) {
-        const std::string name = drawing.name_space.substr(0, drawing.name_space.find('/'));
-        const std::string key = name_space + "/" + name;
-        Body* body = bodies.count(key) ? &bodies[key] : onlyOne(bodies, [&](const Body& b) { return b.name == name; });
-        if (body) body->drawings.push_back(drawing);
-      }
+    for (const Drawing& drawing : drawings) {
+      const std::string name = drawing.name_space.substr(0, drawing.name_space.find('/'));
+      Body* body = find(name_space + "/" + name, [&](const std::string& known) { return known == name; });
+      if (body) body->drawings.push_back(drawing);
     }
   }
-  for (auto& entry : bodies) entry.second.frame = frameOf(entry.second);
+  for (auto& entry : bodies) {
+    entry.second.frame = frameOf(entry.second);
+    entry.second.putInOrder();
+  }
   return bodies;
 }
 
 std::string Audit::frameOf(const Body& body) const {
-  if (!body.odometry.empty()) return body.odometry.rbegin()->second.child_frame_id;
+  if (!body.odometry.by_stamp.empty()) return body.odometry.by_stamp.rbegin()->second.child_frame_id;
   std::string best;
   std::int64_t best_score = -1;
-  for (const std::string& frame : transforms_.movingFrames()) {
+  for (const auto& [frame, track] : transforms_.moving()) {
     if (!endsWith(frame, body.name)) continue;
     // Of two nodes' frames, the one that turns as this body does, or else is sent when its states are.
-    const auto& by_stamp = *transforms_.moving(frame);
     std::int64_t score = 0;
     for (const State& state : body.states) {
-      const auto found = by_stamp.find(state.stamp);
-      if (found == by_stamp.end()) continue;
-      score += angleBetween(found->second.rotation, state.attitude) < 1e-9 ? 1000 : 1;
+      const Transform* found = track.at(state.stamp, state.attitude);
+      if (found) score += angleBetween(found->attitude, state.attitude) < 1e-9 ? 1000 : 1;
     }
     if (score > best_score) {
       best_score = score;
@@ -140,7 +142,8 @@ Report Audit::report() const {
   Report report;
   for (const auto& entry : bodies()) {
     const Body& body = entry.second;
-    const Evidence evidence{body, transforms_, options_};
+    const std::vector<Segment> segments = body.descriptions.empty() ? std::vector<Segment>() : segmentsOf(body);
+    const Evidence evidence{body, segments, transforms_, options_};
     if (body.states.empty()) {
       Judge judge("states", body.key);
       judge.ifNothing("no state of this body was received, only its description");

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "poinsot/audit/checks.h"
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -10,95 +9,67 @@ namespace {
 constexpr double kAngle = 1e-12;  // rad: the same numbers were sent twice
 
 /**
- * Whether a state may do without a partner: it lies before the first or after the last message of the partner's topic,
- * near an end of the recording.
+ * Pairs each state with the message of equal stamp whose attitude is nearest; counts those that are missing. A state
+ * may do without where it lies before the first or after the last message of the partner's topic, near an end of the
+ * recording.
  */
-template <typename ByStamp>
-bool mayBeAlone(const State& state, const Body& body, const ByStamp& partners, double ends) {
-  if (partners.empty()) return false;
-  const Stamp first = partners.begin()->first, last = partners.rbegin()->first;
-  Stamp begin = body.states.front().stamp, end = begin;
-  for (const State* s : {&body.states.front(), &body.states.back()}) {
-    begin = std::min(begin, s->stamp);
-    end = std::max(end, s->stamp);
-  }
-  return (state.stamp < first && seconds(first - begin) <= ends) || (state.stamp > last && seconds(end - last) <= ends);
-}
-
-template <typename ByStamp>
-std::string nearest(const State& state, const ByStamp& partners, const std::string& what) {
-  if (partners.empty()) return "no " + what + " was received";
-  auto after = partners.lower_bound(state.stamp);
-  double best = std::numeric_limits<double>::infinity();
-  if (after != partners.end()) best = seconds(after->first - state.stamp);
-  if (after != partners.begin()) {
-    const double before = seconds(std::prev(after)->first - state.stamp);
-    if (std::abs(before) < std::abs(best)) best = before;
-  }
-  return text("no %s at the stamp of a state; the nearest is %.1f ms %s", what.c_str(), 1e3 * std::abs(best),
-              best > 0 ? "later" : "earlier");
-}
-
-/** Pairs each state with the message of equal stamp whose attitude is nearest; counts those that are missing. */
-template <typename ByStamp, typename Rotation, typename Compare>
-void pairUp(const Evidence& evidence, const ByStamp& partners, const std::string& what, Judge& judge,
-            const Rotation& rotation, const Compare& compare) {
+template <class Message, class Compare>
+void pairUp(const Evidence& evidence, const Track<Message>& track, const std::string& what, Judge& judge,
+            const Compare& compare) {
+  const auto& partners = track.by_stamp;
+  const std::vector<State>& states = evidence.body.states;
+  const auto [begin, end] = std::minmax_element(states.begin(), states.end(),
+                                                [](const State& a, const State& b) { return a.stamp < b.stamp; });
+  const Stamp first = partners.empty() ? 0 : partners.begin()->first;
+  const Stamp last = partners.empty() ? 0 : partners.rbegin()->first;
+  const bool late = !partners.empty() && seconds(first - begin->stamp) <= evidence.options.ends;
+  const bool early = !partners.empty() && seconds(end->stamp - last) <= evidence.options.ends;
   std::int64_t missing = 0, wanted = 0;
   const State* first_missing = nullptr;
-  for (const State& state : evidence.body.states) {
-    const auto [begin, end] = partners.equal_range(state.stamp);
-    if (begin == end) {
-      if (mayBeAlone(state, evidence.body, partners, evidence.options.ends)) continue;
-      ++wanted;
-      if (missing++ == 0) first_missing = &state;
-      continue;
-    }
+  for (const State& state : states) {
+    const Message* partner = track.at(state.stamp, state.attitude);
+    if (!partner && ((late && state.stamp < first) || (early && state.stamp > last))) continue;
     ++wanted;
-    auto best = begin;
-    for (auto it = begin; it != end; ++it) {
-      if (angleBetween(rotation(it->second), state.attitude) < angleBetween(rotation(best->second), state.attitude))
-        best = it;
+    if (!partner) {
+      if (missing++ == 0) first_missing = &state;
+    } else if (state.flaw.empty() && partner->flaw.empty()) {  // else the check of finite numbers fails
+      compare(state, *partner);
     }
-    // Numbers that are not finite are another check's business.
-    if (state.flaw.empty() && best->second.flaw.empty()) compare(state, best->second);
   }
-  if (static_cast<double>(missing) > evidence.options.losses * static_cast<double>(wanted)) {
-    judge.fail(seconds(first_missing->stamp),
-               nearest(*first_missing, partners, what) + text(" (missing for %lld of %lld states)",
-                                                              static_cast<long long>(missing),
-                                                              static_cast<long long>(wanted)));
-  }
+  if (static_cast<double>(missing) <= evidence.options.losses * static_cast<double>(wanted)) return;
+  const double nearest = toNearest(partners, first_missing->stamp);
+  const std::string why = partners.empty()
+                              ? "no " + what + " was received"
+                              : text("no %s at the stamp of a state; the nearest is %.1f ms %s", what.c_str(),
+                                     1e3 * std::abs(nearest), nearest > 0 ? "later" : "earlier");
+  judge.fail(seconds(first_missing->stamp),
+             why + text(" (missing for %lld of %lld states)", static_cast<long long>(missing),
+                        static_cast<long long>(wanted)));
 }
 
-std::string rotationWrong(const char* whose, const Eigen::Quaterniond& q, const State& state) {
-  if (angleBetween(q, state.attitude.conjugate()) < 1e-9)
-    return text("%s rotation is the inverse of the state's", whose);
-  return text("%s rotation differs from the state's by %.3g rad", whose, angleBetween(q, state.attitude));
-}
-
-std::string positionWrong(const char* whose, const Eigen::Vector3d& p, const State& state) {
-  return text("%s position differs from the state's by %.3g m", whose, (p - state.position).norm());
-}
-
-double positionBound(const State& state) {
-  return 1e-12 * std::max(1.0, state.position.norm());
+/** Compares the attitude and the position that both messages hold. @param whose "tf's" */
+void comparePoses(const Pose& pose, const State& state, const char* whose, Judge& judge, bool with_position = true) {
+  const double at = seconds(state.stamp), angle = angleBetween(pose.attitude, state.attitude);
+  judge.compare(angle, kAngle, at, [&] {
+    const bool inverse = angleBetween(pose.attitude, state.attitude.conjugate()) < 1e-9;
+    return std::string(whose) + " rotation " +
+           (inverse ? "is the inverse of the state's" : text("differs from the state's by %.3g rad", angle));
+  });
+  if (!with_position) return;
+  const double off = (pose.position - state.position).norm();
+  judge.compare(off, 1e-12 * std::max(1.0, state.position.norm()), at,
+                [&] { return text("%s position differs from the state's by %.3g m", whose, off); });
 }
 
 void judgeTf(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
-  const auto rotation = [](const Transform& t) { return t.rotation; };
   Judge judge("tf = state", body.key, "rad, m");
-  const std::multimap<Stamp, Transform> none;
+  const Track<Transform> none;
   const auto* found = evidence.transforms.moving(body.frame);
-  pairUp(evidence, found ? *found : none, "tf", judge, rotation, [&](const State& s, const Transform& t) {
-    const double at = seconds(s.stamp);
-    judge.compare(angleBetween(t.rotation, s.attitude), kAngle, at,
-                  [&] { return rotationWrong("tf's", t.rotation, s); });
-    judge.compare((t.translation - s.position).norm(), positionBound(s), at,
-                  [&] { return positionWrong("tf's", t.translation, s); });
-    if (t.parent != s.frame_id) {
-      judge.fail(at, "tf places " + body.frame + " in " + t.parent + ", the state is in " + s.frame_id);
-    }
+  pairUp(evidence, found ? *found : none, "tf", judge, [&](const State& s, const Transform& t) {
+    comparePoses(t, s, "tf's", judge);
+    if (t.frame_id == s.frame_id) return;
+    judge.fail(seconds(s.stamp), "tf places " + body.frame + " in " + t.frame_id + ", the state is in " + s.frame_id);
   });
   checks.push_back(judge.verdict());
 
@@ -107,27 +78,20 @@ void judgeTf(const Evidence& evidence, std::vector<Check>& checks) {
   const auto* picture = evidence.transforms.moving(frame);
   if (!picture) return;
   Judge space("tf of space_body = state", body.key, "rad");
-  pairUp(evidence, *picture, "tf of " + frame, space, rotation, [&](const State& s, const Transform& t) {
-    space.compare(angleBetween(t.rotation, s.attitude), kAngle, seconds(s.stamp),
-                  [&] { return rotationWrong("tf's", t.rotation, s); });
-  });
+  pairUp(evidence, *picture, "tf of " + frame, space,
+         [&](const State& s, const Transform& t) { comparePoses(t, s, "tf's", space, false); });
   checks.push_back(space.verdict());
 }
 
 void judgeOdometry(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge pose("odometry = state", body.key, "rad, m"), twist("odometry twist in body axes", body.key);
-  const auto rotation = [](const Odometry& o) { return o.attitude; };
-  pairUp(evidence, body.odometry, "odometry", pose, rotation, [&](const State& s, const Odometry& o) {
+  pairUp(evidence, body.odometry, "odometry", pose, [&](const State& s, const Odometry& o) {
     const double at = seconds(s.stamp);
-    pose.compare(angleBetween(o.attitude, s.attitude), kAngle, at,
-                 [&] { return rotationWrong("odometry's", o.attitude, s); });
-    pose.compare((o.position - s.position).norm(), positionBound(s), at,
-                 [&] { return positionWrong("odometry's", o.position, s); });
-    const std::string& child = o.child_frame_id;
-    const bool of_body = child.size() >= body.name.size() &&
-                         child.compare(child.size() - body.name.size(), body.name.size(), body.name) == 0;
-    if (!of_body) pose.fail(at, "odometry's child_frame_id is \"" + child + "\", not the frame of " + body.name);
+    comparePoses(o, s, "odometry's", pose);
+    if (!endsWith(o.child_frame_id, body.name)) {
+      pose.fail(at, "odometry's child_frame_id is \"" + o.child_frame_id + "\", not the frame of " + body.name);
+    }
     if (o.frame_id != s.frame_id) {
       pose.fail(at, "odometry's frame_id is \"" + o.frame_id + "\", the state's \"" + s.frame_id + "\"");
     }

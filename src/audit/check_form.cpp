@@ -1,8 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "poinsot/audit/checks.h"
-#include "poinsot/audit/free_motion.h"
+#include "checks.h"
 
 namespace poinsot::audit {
 namespace {
@@ -10,25 +9,32 @@ namespace {
 constexpr double kUnit = 1e-12;    // of a quaternion's norm
 constexpr double kFields = 1e-14;  // of fields that follow from others of the same message
 
+/** Of the body's own frame and of that of the picture, as far as they came. */
+std::vector<std::pair<std::string, const Track<Transform>*>> framesOf(const Evidence& evidence) {
+  std::vector<std::pair<std::string, const Track<Transform>*>> out;
+  if (!evidence.options.tf || evidence.body.frame.empty()) return out;
+  for (const std::string& frame : {evidence.body.frame, evidence.body.frame + "_space_body"}) {
+    if (const auto* track = evidence.transforms.moving(frame)) out.emplace_back("tf of " + frame, track);
+  }
+  return out;
+}
+
 void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge finite("finite numbers", body.key), unit("unit quaternions", body.key);
-  const auto look = [&](Stamp stamp, const std::string& flaw, const Eigen::Quaterniond& q, const std::string& where) {
-    finite.compare(flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + flaw; });
+  const auto look = [&](Stamp stamp, const Pose& pose, const std::string& where) {
+    const Eigen::Quaterniond& q = pose.attitude_as_sent;
+    finite.compare(pose.flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + pose.flaw; });
     if (!q.coeffs().allFinite()) return;
     unit.compare(std::abs(1 - q.norm()), kUnit, seconds(stamp),
                  [&] { return text("%s: the quaternion's norm is %.12g", where.c_str(), q.norm()); });
   };
-  for (const State& s : body.states) look(s.stamp, s.flaw, s.attitude_as_sent, "state");
+  for (const State& s : body.states) look(s.stamp, s, "state");
   if (evidence.options.odometry) {
-    for (const auto& [stamp, o] : body.odometry) look(stamp, o.flaw, o.attitude_as_sent, "odometry");
+    for (const auto& [stamp, o] : body.odometry.by_stamp) look(stamp, o, "odometry");
   }
-  if (evidence.options.tf && !body.frame.empty()) {
-    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
-      if (const auto* moving = evidence.transforms.moving(frame)) {
-        for (const auto& [stamp, t] : *moving) look(stamp, t.flaw, t.rotation_as_sent, "tf of " + frame);
-      }
-    }
+  for (const auto& [frame, track] : framesOf(evidence)) {
+    for (const auto& [stamp, t] : track->by_stamp) look(stamp, t, frame);
   }
   checks.push_back(finite.verdict());
   checks.push_back(unit.verdict());
@@ -37,30 +43,24 @@ void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
 void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge stamps("stamps never decrease", body.key), segments("segments never decrease", body.key);
+  // Where a clock jumps back a new segment begins; in the other topics the same is to be seen, at most so often.
   for (std::size_t i = 0; i < body.states.size(); ++i) {
-    if (i == 0) {
-      stamps.compare(0, 0, seconds(body.states[0].stamp));
-      segments.compare(0, 0, seconds(body.states[0].stamp));
-      continue;
-    }
-    const State &a = body.states[i - 1], &b = body.states[i];
-    stamps.compare(b.stamp < a.stamp ? 1 : 0, 0, seconds(b.stamp), [&] {
+    const State &a = body.states[i > 0 ? i - 1 : 0], &b = body.states[i];
+    stamps.compare(b.stamp < a.stamp && b.segment <= a.segment ? 1 : 0, 0, seconds(b.stamp), [&] {
       return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
     });
     segments.compare(b.segment < a.segment ? 1 : 0, 0, seconds(b.stamp),
                      [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
   }
-  if (evidence.options.odometry && body.odometry_backwards > 0) {
+  const auto compare = [&](const std::string& what, std::int64_t backwards) {
+    if (body.repeats || body.listed || backwards <= body.jumps) return;
     stamps.fail(
-        0, text("odometry: %lld stamps lie before the one before", static_cast<long long>(body.odometry_backwards)));
-  }
-  if (evidence.options.tf && !body.frame.empty()) {
-    for (const std::string& frame : {body.frame, body.frame + "_space_body"}) {
-      const auto backwards = static_cast<long long>(evidence.transforms.backwards(frame));
-      if (backwards > 0)
-        stamps.fail(0, text("tf of %s: %lld stamps lie before the one before", frame.c_str(), backwards));
-    }
-  }
+        0,
+        text("%s: %lld stamps lie before the one before", what.c_str(), static_cast<long long>(backwards)) +
+            (body.jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(body.jumps)) : ""));
+  };
+  if (evidence.options.odometry) compare("odometry", body.odometry.backwards);
+  for (const auto& [frame, track] : framesOf(evidence)) compare(frame, track->backwards);
   checks.push_back(stamps.verdict());
   checks.push_back(segments.verdict());
 }
@@ -115,17 +115,11 @@ void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
 }
 
 void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
-  const Body& body = evidence.body;
-  Judge omega("omega_world = R omega_body", body.key), momentum("momentum_world = R M omega_body", body.key),
-      energy("kinetic_energy = 1/2 omega' M omega", body.key);
-  const Description* description = nullptr;
-  Inertia inertia(Eigen::Matrix3d::Identity());
-  for (const State& s : body.states) {
-    if (!s.flaw.empty()) continue;
-    if (const Description* d = body.descriptionAt(s.stamp); d != description) {
-      description = d;
-      inertia = Inertia(d->tensor);
-    }
+  const std::string& key = evidence.body.key;
+  Judge omega("omega_world = R omega_body", key), momentum("momentum_world = R M omega_body", key),
+      energy("kinetic_energy = 1/2 omega' M omega", key);
+  const auto judge = [&](const Segment& segment, const State& s) {
+    const Inertia& inertia = segment.body->inertia();
     const double at = seconds(s.stamp), rate = s.omega_body.norm();
     const Eigen::Vector3d l = s.attitude * (inertia.tensor * s.omega_body);
     const double e = inertia.energy(s.omega_body);
@@ -139,9 +133,8 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
                                                                : inverse ? " (R looks inverted)"
                                                                          : "");
     });
-    // With a slug inside it is that of both: judgeDriven asks for it.
-    const bool slug = description->forces.slug.has_value();
-    if (!slug)
+    // With a slug inside it is that of both: judgeSlugsStart and dL/dt ask for it.
+    if (!segment.body->effects().slug)
       momentum.compare(
           (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {
             const bool body_axes = (s.momentum_world - inertia.tensor * s.omega_body).norm() < 1e-9 * l_scale;
@@ -154,6 +147,9 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
           });
     energy.compare(std::abs(s.kinetic_energy - e) / e_scale, kFields * inertia.conditionOfEnergy(s.omega_body), at,
                    [&] { return text("kinetic_energy is %.3f times ½ΩᵀMΩ", s.kinetic_energy / e_scale); });
+  };
+  for (const Segment& segment : evidence.segments) {
+    for (const State* s : segment.states) judge(segment, *s);
   }
   checks.push_back(omega.verdict());
   if (momentum.count() > 0) checks.push_back(momentum.verdict());

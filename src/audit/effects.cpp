@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 
 namespace poinsot::audit {
@@ -58,19 +59,14 @@ class Values {
       const auto space = item.find(' ');
       if (space == std::string::npos) refuse("\"" + item + "\" is not a key and a value");
       const std::string key = item.substr(0, space);
-      if (has(key)) refuse("\"" + key + "\" is there twice");
-      items_.push_back({key, trimmed(item.substr(space))});
+      if (!items_.emplace(key, trimmed(item.substr(space))).second) refuse("\"" + key + "\" is there twice");
     }
   }
 
-  bool has(const std::string& key) const {
-    return std::any_of(items_.begin(), items_.end(), [&key](const Item& i) { return i.key == key; });
-  }
   std::string word(const std::string& key) {
-    const auto found = std::find_if(items_.begin(), items_.end(), [&key](const Item& i) { return i.key == key; });
-    if (found == items_.end()) refuse("\"" + key + "\" is missing");
-    found->used = true;
-    return found->value;
+    const auto item = items_.extract(key);
+    if (item.empty()) refuse("\"" + key + "\" is missing");
+    return item.mapped();
   }
   double number(const std::string& key) { return numberOf(word(key)); }
   Vector3d vector(const std::string& key) { return vectorFrom(word(key)); }
@@ -90,17 +86,11 @@ class Values {
     return frame == "world";
   }
   void done() const {
-    for (const Item& i : items_) {
-      if (!i.used) refuse("\"" + i.key + "\" is no key of it");
-    }
+    if (!items_.empty()) refuse("\"" + items_.begin()->first + "\" is no key of it");
   }
 
  private:
-  struct Item {
-    std::string key, value;
-    bool used = false;
-  };
-  std::vector<Item> items_;
+  std::map<std::string, std::string> items_;
 };
 
 void readPush(Values& values, bool scheduled, Effects& out) {
@@ -127,9 +117,6 @@ void readOne(const std::string& text, Effects& out) {
     }
     return;
   }
-  const char* const known[] = {"translation",      "constant_torque",      "gravity_torque",
-                               "gravity_gradient", "internal_dissipation", "viscous_damping"};
-  if (std::find(std::begin(known), std::end(known), type) == std::end(known)) refuse("no such type is known here");
   Values values(rest);
   if (type == "constant_torque") {
     readPush(values, false, out);
@@ -151,10 +138,12 @@ void readOne(const std::string& text, Effects& out) {
     if (out.slug) refuse("a second slug");
     out.slug = Effects::Slug{values.positive("slug_inertia"), values.number("damping")};
     if (out.slug->damping < 0) refuse("a negative damping");
-  } else {
+  } else if (type == "translation") {
     if (out.translation) refuse("a second translation");
     out.translation =
         Effects::Translation{values.vector("position"), values.vector("velocity"), values.vector("acceleration")};
+  } else {
+    refuse("no such type is known here");
   }
   values.done();
 }
@@ -177,21 +166,10 @@ Vector3d Effects::impulse(double from, double to) const {
   return from <= to ? sum : Vector3d(-sum);
 }
 
-bool Effects::onlyDissipates() const {
-  return pushes.empty() && weights.empty() && orbits.empty();
-}
-
-bool Effects::onlyWeights() const {
-  return pushes.empty() && !weights.empty() && orbits.empty() && dampings.empty() && !slug;
-}
-
-bool Effects::onlyOrbits() const {
-  return pushes.empty() && weights.empty() && orbits.size() == 1 && dampings.empty() && !slug;
-}
-
 Effects readEffects(const std::vector<std::string>& texts) {
   Effects out;
   for (const std::string& text : texts) {
+    out.turns = out.turns || text.substr(0, text.find(':')) != "translation";
     try {
       readOne(text, out);
     } catch (const std::invalid_argument& why) {

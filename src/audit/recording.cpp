@@ -2,30 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace poinsot::audit {
 namespace {
 
-/** Remembers the first field that cannot be used. */
-class FlawFinder {
+/** Converts fields, and remembers the first that cannot be used. */
+class Fields {
  public:
-  explicit FlawFinder(std::string& flaw) : flaw_(flaw) {}
+  explicit Fields(std::string& flaw) : flaw_(flaw) {}
 
-  void number(double value, const char* name) {
+  double number(double value, const char* name) {
     if (!std::isfinite(value)) found(name, " is not finite");
+    return value;
   }
-  void vector(const Eigen::Vector3d& value, const char* name) {
-    if (!value.allFinite()) found(name, " is not finite");
+  template <class Xyz>
+  Eigen::Vector3d vector(const Xyz& value, const char* name) {
+    const Eigen::Vector3d out = vectorOf(value);
+    if (!out.allFinite()) found(name, " is not finite");
+    return out;
   }
   /** @return normalised; the identity where that is impossible. */
-  Eigen::Quaterniond quaternion(const Eigen::Quaterniond& value, const char* name) {
-    if (!value.coeffs().allFinite()) {
-      found(name, " is not finite");
-    } else if (value.norm() < 1e-6) {
-      found(name, " is zero, which is no rotation");
-    } else {
-      return value.normalized();
-    }
+  Eigen::Quaterniond quaternion(const geometry_msgs::Quaternion& value, const char* name, Eigen::Quaterniond& as_sent) {
+    as_sent = quaternionOf(value);
+    if (as_sent.coeffs().allFinite() && !(as_sent.norm() < 1e-6)) return as_sent.normalized();
+    found(name, as_sent.coeffs().allFinite() ? " is zero, which is no rotation" : " is not finite");
     return Eigen::Quaterniond::Identity();
   }
 
@@ -42,6 +43,10 @@ std::string frameName(const std::string& name) {
 
 }  // namespace
 
+bool endsWith(const std::string& text, const std::string& tail) {
+  return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+}
+
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   const Eigen::Quaterniond d = a.conjugate() * b;
   return 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
@@ -50,35 +55,27 @@ double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
 State read(const poinsot::BodyState& message) {
   State s;
   s.stamp = stampOf(message.header.stamp);
+  s.sequence = message.header.seq;
   s.frame_id = frameName(message.header.frame_id);
-  s.time = message.time;
-  s.time_rate = message.time_rate;
   s.segment = message.segment;
-  s.attitude_as_sent = quaternionOf(message.attitude);
-  s.position = vectorOf(message.position);
-  s.velocity = vectorOf(message.velocity);
-  s.omega_body = vectorOf(message.omega_body);
-  s.omega_world = vectorOf(message.omega_world);
-  s.momentum_world = vectorOf(message.momentum_world);
-  s.kinetic_energy = message.kinetic_energy;
+  Fields fields(s.flaw);
+  s.time = fields.number(message.time, "time");
+  s.time_rate = fields.number(message.time_rate, "time_rate");
+  s.attitude = fields.quaternion(message.attitude, "attitude", s.attitude_as_sent);
+  s.position = fields.vector(message.position, "position");
+  s.velocity = fields.vector(message.velocity, "velocity");
+  s.omega_body = fields.vector(message.omega_body, "omega_body");
+  s.omega_world = fields.vector(message.omega_world, "omega_world");
+  s.momentum_world = fields.vector(message.momentum_world, "momentum_world");
+  s.kinetic_energy = fields.number(message.kinetic_energy, "kinetic_energy");
   s.energy_drift = message.energy_drift;
   s.momentum_drift = message.momentum_drift;
   s.attitude_error = message.attitude_error;
-  FlawFinder find(s.flaw);
-  find.number(s.time, "time");
-  find.number(s.time_rate, "time_rate");
-  s.attitude = find.quaternion(s.attitude_as_sent, "attitude");
-  find.vector(s.position, "position");
-  find.vector(s.velocity, "velocity");
-  find.vector(s.omega_body, "omega_body");
-  find.vector(s.omega_world, "omega_world");
-  find.vector(s.momentum_world, "momentum_world");
-  find.number(s.kinetic_energy, "kinetic_energy");
   // Drifts are relative: for a body that started at rest, infinite is the honest figure. Not so NaN.
-  if (std::isnan(s.energy_drift)) find.number(s.energy_drift, "energy_drift");
-  if (std::isnan(s.momentum_drift)) find.number(s.momentum_drift, "momentum_drift");
+  if (std::isnan(s.energy_drift)) fields.number(s.energy_drift, "energy_drift");
+  if (std::isnan(s.momentum_drift)) fields.number(s.momentum_drift, "momentum_drift");
   // NaN: not measured, in a recording that nobody played.
-  if (!std::isnan(message.cost)) find.number(message.cost, "cost");
+  if (!std::isnan(message.cost)) fields.number(message.cost, "cost");
   return s;
 }
 
@@ -86,26 +83,20 @@ Odometry read(const nav_msgs::Odometry& message) {
   Odometry o;
   o.frame_id = frameName(message.header.frame_id);
   o.child_frame_id = frameName(message.child_frame_id);
-  o.attitude_as_sent = quaternionOf(message.pose.pose.orientation);
-  o.position = vectorOf(message.pose.pose.position);
-  o.linear = vectorOf(message.twist.twist.linear);
-  o.angular = vectorOf(message.twist.twist.angular);
-  FlawFinder find(o.flaw);
-  o.attitude = find.quaternion(o.attitude_as_sent, "pose.orientation");
-  find.vector(o.position, "pose.position");
-  find.vector(o.linear, "twist.linear");
-  find.vector(o.angular, "twist.angular");
+  Fields fields(o.flaw);
+  o.attitude = fields.quaternion(message.pose.pose.orientation, "pose.orientation", o.attitude_as_sent);
+  o.position = fields.vector(message.pose.pose.position, "pose.position");
+  o.linear = fields.vector(message.twist.twist.linear, "twist.linear");
+  o.angular = fields.vector(message.twist.twist.angular, "twist.angular");
   return o;
 }
 
 Transform read(const geometry_msgs::TransformStamped& message) {
   Transform t;
-  t.parent = frameName(message.header.frame_id);
-  t.rotation_as_sent = quaternionOf(message.transform.rotation);
-  t.translation = vectorOf(message.transform.translation);
-  FlawFinder find(t.flaw);
-  t.rotation = find.quaternion(t.rotation_as_sent, "rotation");
-  find.vector(t.translation, "translation");
+  t.frame_id = frameName(message.header.frame_id);
+  Fields fields(t.flaw);
+  t.attitude = fields.quaternion(message.transform.rotation, "rotation", t.attitude_as_sent);
+  t.position = fields.vector(message.transform.translation, "translation");
   return t;
 }
 
@@ -130,52 +121,52 @@ Drawing read(const visualization_msgs::Marker& message) {
   d.stamp = stampOf(message.header.stamp);
   d.frame_id = frameName(message.header.frame_id);
   d.name_space = message.ns;
-  d.id = message.id;
   d.type = message.type;
-  d.position = vectorOf(message.pose.position);
-  d.scale = vectorOf(message.scale);
-  d.orientation_as_sent = quaternionOf(message.pose.orientation);
-  FlawFinder find(d.flaw);
-  find.vector(d.position, "pose.position");
-  find.vector(d.scale, "scale");
-  d.orientation = find.quaternion(d.orientation_as_sent, "pose.orientation");
-  const auto ends = [&message](const char* what) {
-    const std::string tail = std::string("/") + what;
-    return message.ns.size() > tail.size() &&
-           message.ns.compare(message.ns.size() - tail.size(), tail.size(), tail) == 0;
-  };
-  const bool keep = ends("polhode") || ends("omega");
-  if (keep) d.points.reserve(message.points.size());
+  Fields fields(d.flaw);
+  d.position = fields.vector(message.pose.position, "pose.position");
+  d.scale = fields.vector(message.scale, "scale");
+  d.orientation = fields.quaternion(message.pose.orientation, "pose.orientation", d.orientation_as_sent);
+  const bool keep = endsWith(message.ns, "/polhode") || endsWith(message.ns, "/omega");
   for (const geometry_msgs::Point& point : message.points) {
-    const Eigen::Vector3d p = vectorOf(point);
-    find.vector(p, "a point");
+    const Eigen::Vector3d p = fields.vector(point, "a point");
     if (keep) d.points.push_back(p);
   }
   return d;
 }
 
-bool Drawing::sameAs(const Drawing& other) const {
-  return stamp == other.stamp && name_space == other.name_space && frame_id == other.frame_id && id == other.id &&
-         type == other.type && position == other.position && scale == other.scale &&
-         orientation_as_sent.coeffs() == other.orientation_as_sent.coeffs() && points == other.points &&
-         flaw == other.flaw;
-}
-
-bool Description::hasEffect(const std::string& type) const {
-  return std::any_of(effects.begin(), effects.end(), [&type](const std::string& line) {
-    return line.compare(0, type.size(), type) == 0 &&
-           (line.size() == type.size() ||
-            (!std::isalnum(static_cast<unsigned char>(line[type.size()])) && line[type.size()] != '_'));
-  });
-}
-
-bool Description::isFree() const {
-  return effects.empty() || (effects.size() == 1 && hasEffect("translation"));
+bool Body::isFree() const {
+  return std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
 }
 
 bool Body::effectsAreRead() const {
   return std::all_of(descriptions.begin(), descriptions.end(),
                      [](const Description& d) { return d.forces.problem.empty(); });
+}
+
+void Body::putInOrder() {
+  // Time that goes on from one message to the next belongs to one motion, whatever their segments say.
+  bool disorder = false, goes_on = false;
+  std::set<std::uint32_t> sequence;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    sequence.insert(states[i].sequence);
+    if (i == 0) continue;
+    const State &a = states[i - 1], &b = states[i];
+    disorder = disorder || (repeats && b.segment == a.segment && b.stamp < a.stamp);
+    if (b.segment >= a.segment) continue;
+    disorder = true;
+    goes_on = goes_on || std::abs(b.time - a.time - a.time_rate * seconds(b.stamp - a.stamp)) < 1e-8;
+  }
+  if (disorder && sequence.size() == states.size()) {
+    listed = true;
+    std::sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.sequence < b.sequence; });
+  } else if (disorder && !goes_on) {
+    listed = true;
+    std::stable_sort(states.begin(), states.end(),
+                     [](const State& a, const State& b) { return a.segment < b.segment; });
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    jumps += states[i].stamp < states[i - 1].stamp && states[i].segment > states[i - 1].segment;
+  }
 }
 
 const Description* Body::descriptionAt(Stamp stamp) const {
@@ -184,6 +175,51 @@ const Description* Body::descriptionAt(Stamp stamp) const {
     if (d.stamp <= stamp) found = &d;
   }
   return found ? found : descriptions.empty() ? nullptr : &descriptions.front();
+}
+
+void Transforms::add(const std::string& child, Stamp stamp, const Transform& transform, bool is_static) {
+  if (is_static) {
+    fixed_[child] = transform;
+  } else {
+    moving_[child].add(stamp, transform);
+  }
+}
+
+const Track<Transform>* Transforms::moving(const std::string& child) const {
+  const auto found = moving_.find(child);
+  return found == moving_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::pair<std::string, Eigen::Isometry3d>> Transforms::chainToRoot(const std::string& frame, Stamp stamp,
+                                                                               const Eigen::Quaterniond& near) const {
+  std::vector<std::pair<std::string, Eigen::Isometry3d>> chain{{frame, Eigen::Isometry3d::Identity()}};
+  // Frames that form a loop are no tree: 64 is deeper than any of ours.
+  while (chain.size() < 64) {
+    const auto still = fixed_.find(chain.back().first);
+    const Transform* step = still == fixed_.end() ? nullptr : &still->second;
+    if (!step) {
+      const Track<Transform>* moving = this->moving(chain.back().first);
+      step = moving ? moving->at(stamp, near) : nullptr;
+      if (!step) break;
+    }
+    if (!step->flaw.empty()) break;
+    const Eigen::Isometry3d up = Eigen::Translation3d(step->position) * step->attitude * chain.back().second;
+    chain.emplace_back(step->frame_id, up);
+  }
+  return chain;
+}
+
+std::optional<Eigen::Isometry3d> Transforms::between(const std::string& from, const std::string& to, Stamp stamp,
+                                                     const Eigen::Quaterniond& near) const {
+  if (from == to) return Eigen::Isometry3d::Identity();
+  // Up from both sides to the first frame in common, so that nothing above it costs digits.
+  const auto up = chainToRoot(from, stamp, near), down = chainToRoot(to, stamp, near);
+  for (const auto& a : up) {
+    for (const auto& b : down) {
+      if (a.first == b.first) return b.second.inverse(Eigen::Isometry) * a.second;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace poinsot::audit

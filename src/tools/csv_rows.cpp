@@ -16,14 +16,22 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> cells;
   for (std::size_t begin = 0;;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.push_back(line.substr(begin, comma - begin));
-    if (comma == std::string::npos) return cells;
-    begin = comma + 1;
+    const std::size_t end = line.find(separator, begin);
+    cells.push_back(line.substr(begin, end - begin));
+    if (end == std::string::npos) return cells;
+    begin = end + 1;
   }
+}
+
+/** What separates the names of a header: blanks may stand around commas and semicolons, so a tab comes last. */
+char separatorOf(const std::string& header) {
+  for (const char separator : {',', ';', '\t'}) {
+    if (header.find(separator) != std::string::npos) return separator;
+  }
+  return ',';
 }
 
 /** Hands out the lines that are neither comments nor blank. */
@@ -34,6 +42,7 @@ class Lines {
   bool next(std::string& line) {
     while (std::getline(in_, line)) {
       ++number_;
+      if (number_ == 1) refuseWideText(line);
       if (number_ == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // a byte order mark
       if (!line.empty() && line.back() == '\r') line.pop_back();
       const std::size_t first = line.find_first_not_of(kBlanks);
@@ -48,6 +57,13 @@ class Lines {
   long number() const { return number_; }
 
  private:
+  static void refuseWideText(const std::string& line) {
+    const std::string begin = line.substr(0, 2);
+    if (begin == "\xFF\xFE" || begin == "\xFE\xFF" || line.find('\0') != std::string::npos) {
+      throw CsvError(1, "expected UTF-8, got UTF-16 (or another text with NUL bytes)");
+    }
+  }
+
   std::istream& in_;
   long number_ = 0;
 };
@@ -76,19 +92,27 @@ std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>
   Lines lines(in);
   std::string line;
   if (!lines.next(line)) throw CsvError(lines.number() + 1, "there is no header");
-  std::vector<std::string> header = split(line);
+  const char separator = separatorOf(line);
+  std::vector<std::string> header = split(line, separator);
   for (std::string& name : header) name = trimmed(name);
   const std::vector<std::size_t> wanted = places(lines.number(), header, columns);
 
   std::vector<CsvRow> rows;
   while (lines.next(line)) {
-    const std::vector<std::string> cells = split(line);
+    const std::vector<std::string> cells = split(line, separator);
     if (cells.size() != header.size()) {
       throw CsvError(lines.number(), "the row has " + std::to_string(cells.size()) + " cells, the header has " +
                                          std::to_string(header.size()));
     }
     CsvRow row{lines.number(), {}};
-    for (const std::size_t place : wanted) row.cells.push_back(cells[place]);
+    for (const std::size_t place : wanted) {
+      // It would divide the cell in what is written, and of a number it would be no point.
+      if (cells[place].find(',') != std::string::npos) {
+        throw CsvError(lines.number(),
+                       header[place] + ": expected a decimal point and no comma, got \"" + cells[place] + "\"");
+      }
+      row.cells.push_back(cells[place]);
+    }
     rows.push_back(std::move(row));
   }
   return rows;

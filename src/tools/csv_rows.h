@@ -19,11 +19,12 @@ struct CsvRow {
 };
 
 /**
- * Reads a table of comma-separated cells, its first line the header, and picks the columns asked for by name.
+ * Reads a table, its first line the header, and picks the columns asked for by name. What separates cells is what
+ * separates the names of the header: commas, or else semicolons, or else tabs.
  *
  * Lines that begin with '#' and lines with nothing but blanks are skipped; line ends may be LF or CRLF, the last may be
  * missing. Throws CsvError for no header, a wanted column that is missing or there twice, a row with another number of
- * cells than the header, and for quotes, which this reader does not know.
+ * cells than the header, a comma in a wanted cell, and for quotes and UTF-16, which this reader does not know.
  */
 std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>& columns);
 

@@ -32,7 +32,7 @@ const char kAbout[] =
     "Moves free rigid bodies: CSV of initial states and times on stdin, CSV of states on stdout.\n\n"
     "Input columns, found by the names in the header, others ignored; lines that begin with # and empty lines "
     "skipped;\n"
-    "decimal or C hexadecimal numbers:\n"
+    "cells separated by commas, semicolons or tabs; decimal or C hexadecimal numbers with a point; UTF-8:\n"
     "  id                  passed through\n"
     "  mu1 mu2 mu3         principal moments of inertia [kg m^2]\n"
     "  q0w q0x q0y q0z     attitude at t = 0, principal axes -> world; normalised on reading\n"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
@@ -155,6 +156,86 @@ TEST(Correct, SeekInANewSegment) {
     ticks[i].segment = 1;
   }
   expectPass(asymmetric(ticks).judged());
+}
+
+/** A clock that runs 1 s and jumps back, several times: stamps overlap, by `shift` [ns] apart; t goes on. */
+Stream clockLoops(int loops, std::int64_t shift, bool counted) {
+  std::vector<Tick> ticks;
+  for (int loop = 0; loop < loops; ++loop) {
+    for (Tick tick : steadily(61)) {
+      tick.stamp += shift * (loops - loop);
+      tick.time += loop;
+      tick.segment = static_cast<std::uint32_t>(7 + loop);
+      ticks.push_back(tick);
+    }
+  }
+  Stream stream = asymmetric(ticks);
+  for (std::size_t i = 0; counted && i < stream.states.size(); ++i) {
+    stream.states[i].header.seq = static_cast<std::uint32_t>(100 + i);
+  }
+  return stream;
+}
+
+/** As a bag lists it that was recorded by the clock of its stamps. */
+Stream listedByStamp(Stream stream) {
+  const auto byHeader = [](const auto& a, const auto& b) { return a.header.stamp < b.header.stamp; };
+  std::stable_sort(stream.states.begin(), stream.states.end(), byHeader);
+  std::stable_sort(stream.odometry.begin(), stream.odometry.end(), byHeader);
+  std::stable_sort(stream.tf.begin(), stream.tf.end(),
+                   [&](const auto& a, const auto& b) { return byHeader(a.transforms[0], b.transforms[0]); });
+  std::stable_sort(stream.markers.begin(), stream.markers.end(),
+                   [&](const auto& a, const auto& b) { return byHeader(a.markers[0], b.markers[0]); });
+  return stream;
+}
+
+TEST(Correct, AClockThatJumpsBackSeveralTimes) {
+  for (const bool counted : {true, false}) {
+    for (const std::int64_t shift : {0, 3000000, -3000000}) {
+      SCOPED_TRACE(std::to_string(shift) + (counted ? " ns, counted" : " ns"));
+      const Stream stream = clockLoops(4, shift, counted);
+      expectPass(stream.judged());
+      const Report report = listedByStamp(stream).judged();
+      expectPass(report);
+      EXPECT_EQ(report.find(kRotation)->count, 4 * 60);
+      EXPECT_EQ(report.find("tf = state")->count, 2 * 4 * 61);
+    }
+  }
+}
+
+/** Messages reach a recorder late or not at all, those of one topic before those of another. */
+TEST(Correct, AClockThatJumpsBackAsItIsRecorded) {
+  Stream stream = clockLoops(3, 0, true);
+  stream.states.erase(stream.states.begin(), stream.states.begin() + 3);
+  stream = listedByStamp(stream);
+  std::swap(stream.odometry[70], stream.odometry[75]);
+  std::swap(stream.tf[50], stream.tf[58]);
+  std::swap(stream.states[80], stream.states[85]);
+  expectPass(stream.judged());
+  stream.markers[100].markers[1].pose.position.x += 1e-6;
+  expectFailures(stream.judged(), {"omega drawn to scale (model)", "omega on both ellipsoids (model)"},
+                 "model/omega is drawn at");
+}
+
+/** A bag that is played in a loop sends the same messages again; whoever records that may join at any time. */
+TEST(Correct, ARecordingPlayedInALoop) {
+  const Stream once = clockLoops(2, 3000000, true);
+  for (const std::size_t joined : {0, 80}) {
+    Stream looped = once;
+    const auto again = [joined](auto& messages) {
+      const auto played = messages;
+      messages.erase(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(joined));
+      for (int i = 0; i < 2; ++i) messages.insert(messages.end(), played.begin(), played.end());
+    };
+    again(looped.states);
+    again(looped.odometry);
+    again(looped.tf);
+    again(looped.markers);
+    for (const Stream& stream : {looped, listedByStamp(looped)}) {
+      const Report report = stream.judged();
+      expectPass(report);
+      EXPECT_EQ(report.find(kRotation)->count, 2 * 60);
+    }
+  }
 }
 
 TEST(Correct, RecordingThatBeginsInMidSegmentAndTopicsThatBeginAtDifferentTimes) {
@@ -361,6 +442,25 @@ TEST(Wrong, SegmentGoesBackwards) {
   std::vector<Tick> ticks = steadily(60);
   for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i].segment = i < 30 ? 5 : 4;
   expectFailures(asymmetric(ticks).judged(), {"segments never decrease"}, "segment 4 comes after segment 5");
+}
+
+/** Where the clock jumps back, too, only the order in which a node sends is forgiven. */
+TEST(Wrong, AClockThatJumpsBackAndOneMessageThatIsWrong) {
+  for (const bool by_stamp : {false, true}) {
+    SCOPED_TRACE(by_stamp);
+    Stream stream = clockLoops(3, 3000000, true);
+    stream.states[80].energy_drift += 1e-9;
+    stream.states[100].time_rate = 1.01;
+    if (by_stamp) stream = listedByStamp(stream);
+    expectFailures(stream.judged(), {kTime, kRotation, kDriftFields}, "R turns 0\\.990. times as far");
+  }
+  Stream stream = clockLoops(3, 3000000, true);
+  std::swap(stream.tf[70], stream.tf[71]);
+  expectFailures(stream.judged(), {"stamps never decrease"},
+                 "tf of wingnut: 3 stamps lie before the one before, and the clock jumped back 2 times");
+  stream = clockLoops(1, 0, true);
+  for (std::size_t i = 0; i < stream.states.size(); ++i) stream.states[i].segment = i % 2;
+  EXPECT_FALSE(stream.judged().find("segments never decrease")->passed);
 }
 
 TEST(Wrong, StampsDecrease) {

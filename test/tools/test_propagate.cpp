@@ -1,6 +1,7 @@
 // The program as its users meet it: a process with arguments, stdin, stdout, stderr and an exit code.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -240,6 +241,38 @@ TEST(Propagate, badHeadersAreRefused) {
   expectRefused(rk4("id,mu1,mu2,q0w,q0x,q0y,q0z,O01,O02,O03\n"), {"line 1", "lacks mu3, t"});
   expectRefused(rk4("\n" + kHeader.substr(0, kHeader.size() - 1) + ",mu2\n"), {"line 2", "mu2 twice"});
   expectRefused(rk4("ID" + kHeader.substr(2)), {"line 1", "lacks id"});
+}
+
+std::string separatedBy(char separator, std::string text) {
+  std::replace(text.begin(), text.end(), ',', separator);
+  return text;
+}
+
+TEST(Propagate, semicolonsAndTabsSeparateCellsToo) {
+  const Outcome by_commas = rk4(kHeader + kRow);
+  for (const char separator : {';', '\t'}) {
+    SCOPED_TRACE(separator);
+    const Outcome outcome = rk4(separatedBy(separator, kHeader + kRow));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, by_commas.out);
+    expectRefused(rk4(separatedBy(separator, kHeader + "a,1\n")), {"line 2", "2 cells", "12"});
+  }
+  const std::string header = separatedBy(';', kHeader);
+  expectRefused(rk4(header + separatedBy(';', rowWith(1, "1|5")).replace(3, 1, ",")),
+                {"line 2", "mu1: expected a decimal point and no comma, got \"1,5\""});
+  expectRefused(rk4(header + "a,b" + separatedBy(';', kRow).substr(1)), {"line 2", "id: expected", "\"a,b\""});
+}
+
+TEST(Propagate, utf16IsRefusedByName) {
+  const auto wide = [](const std::string& text, bool little) {
+    std::string out;
+    for (const char c : text) out += little ? std::string({c, '\0'}) : std::string({'\0', c});
+    return out;
+  };
+  for (const std::string& text : {"\xFF\xFE" + wide(kHeader + kRow, true), "\xFE\xFF" + wide(kHeader + kRow, false),
+                                  wide(kHeader + kRow, true), wide(kHeader + kRow, false)}) {
+    expectRefused(rk4(text), {"line 1: expected UTF-8, got UTF-16"});
+  }
 }
 
 TEST(Propagate, oneBadRowAndNothingComesOut) {

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "poinsot/audit/recording.h"
@@ -33,7 +34,8 @@ struct Options {
 /**
  * Judges a stream of messages as a stranger would receive it: from the messages alone, with physics of its own.
  *
- * Messages of one topic come in the order in which they were sent; topics may come in any order between them. A body is
+ * Messages of one topic come in the order in which they were sent, or in the order of a bag; topics may come in any
+ * order between them. What comes again, as when a bag is played in a loop, is judged once. A body is
  * known by the namespace of its topics, `[ns/]<body>/state`; its frame by its odometry's child_frame_id, or where there
  * is no odometry by the frame whose name ends with the body's and which moves as its state does.
  */
@@ -56,23 +58,16 @@ class Audit {
  private:
   std::map<std::string, Body> bodies() const;
   std::string frameOf(const Body& body) const;
-
-  struct OdometryTopic {
-    std::multimap<Stamp, Odometry> by_stamp;
-    Stamp last = 0;
-    std::int64_t backwards = 0;
-  };
-
-  struct Drawings {
-    std::vector<Drawing> fixed, moving;
-  };
+  template <class Message>
+  bool isRepeated(const Message& message, const std::string& topic);
 
   Options options_;
   std::map<std::string, Body> states_;  ///< by the topic's namespace; with their states only
   std::map<std::string, std::vector<Description>> descriptions_;
-  std::map<std::string, OdometryTopic> odometry_;
-  std::map<std::string, Drawings> drawings_;  ///< by the topic's namespace
+  std::map<std::string, Track<Odometry>> odometry_;
+  std::map<std::string, std::vector<Drawing>> drawings_;  ///< by the topic's namespace
   Transforms transforms_;
+  std::unordered_set<std::size_t> heard_;  ///< digests of the messages that must not be judged twice
 };
 
 }  // namespace poinsot::audit

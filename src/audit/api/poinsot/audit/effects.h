@@ -39,6 +39,7 @@ struct Effects {
   std::optional<Slug> slug;
   std::optional<Translation> translation;
 
+  bool turns = false;   ///< false where no text names anything but a translation: the body is free
   std::string problem;  ///< the first text that cannot be read, and why; empty where all can
 
   /** Nothing but torques that are constant in the world, now and then; a slug may be inside. */
@@ -46,9 +47,11 @@ struct Effects {
   /** What those add to L from one time to another [kg·m²/s]. */
   Eigen::Vector3d impulse(double from, double to) const;
   /** Nothing but dampings and a slug: energy only falls. */
-  bool onlyDissipates() const;
-  bool onlyWeights() const;
-  bool onlyOrbits() const;
+  bool onlyDissipates() const { return pushes.empty() && weights.empty() && orbits.empty(); }
+  bool onlyWeights() const { return !weights.empty() && keepEnergy() && orbits.empty(); }
+  bool onlyOrbit() const { return orbits.size() == 1 && keepEnergy() && weights.empty(); }
+  /** Nothing but weights and orbits. */
+  bool keepEnergy() const { return pushes.empty() && dampings.empty() && !slug; }
 };
 
 Effects readEffects(const std::vector<std::string>& texts);

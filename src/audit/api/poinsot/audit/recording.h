@@ -1,9 +1,7 @@
 #pragma once
 
-#include <geometry_msgs/Point.h>
 #include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/TransformStamped.h>
-#include <geometry_msgs/Vector3.h>
 #include <nav_msgs/Odometry.h>
 #include <poinsot/BodyDescription.h>
 #include <poinsot/BodyState.h>
@@ -12,11 +10,15 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/audit/effects.h"
@@ -33,44 +35,77 @@ inline double seconds(Stamp stamp) {
   return 1e-9 * static_cast<double>(stamp);
 }
 
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Point& v) {
-  return {v.x, v.y, v.z};
-}
-inline Eigen::Vector3d vectorOf(const geometry_msgs::Vector3& v) {
+/** Of a geometry_msgs/Point or Vector3. */
+template <class Xyz>
+Eigen::Vector3d vectorOf(const Xyz& v) {
   return {v.x, v.y, v.z};
 }
 inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) {
   return {q.w, q.x, q.y, q.z};
 }
 
+bool endsWith(const std::string& text, const std::string& tail);
+
 /** The angle of the rotation that takes a to b [rad], in [0, π]; both unit, either sign. Accurate for small angles. */
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
-/** A state, in the vocabulary of the message. */
-struct State {
-  Stamp stamp = 0;
-  double time = 0, time_rate = 0;
-  std::uint32_t segment = 0;
+/** What states, odometry and transforms have in common. */
+struct Pose {
+  std::string frame_id;                           ///< in which it is given
   Eigen::Quaterniond attitude_as_sent, attitude;  ///< the second normalised
-  Eigen::Vector3d position, velocity, omega_body, omega_world, momentum_world;
-  double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
-  double attitude_error = 0;  ///< NaN: there is nothing to compare with
-  std::string frame_id;
+  Eigen::Vector3d position;
   std::string flaw;  ///< which field is not finite (or a zero quaternion); empty where the message can be used
 };
+using Transform = Pose;
 
-struct Odometry {
-  Eigen::Quaterniond attitude_as_sent, attitude;
-  Eigen::Vector3d position, linear, angular;
-  std::string frame_id, child_frame_id;
-  std::string flaw;
+/** A state, in the vocabulary of the message. */
+struct State : Pose {
+  Stamp stamp = 0;
+  std::uint32_t sequence = 0;  ///< as its publisher counts; 0 where it does not
+  double time = 0, time_rate = 0;
+  std::uint32_t segment = 0;
+  Eigen::Vector3d velocity, omega_body, omega_world, momentum_world;
+  double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
+  double attitude_error = 0;  ///< NaN: there is nothing to compare with
 };
 
-struct Transform {
-  std::string parent;
-  Eigen::Quaterniond rotation_as_sent, rotation;
-  Eigen::Vector3d translation;
-  std::string flaw;
+struct Odometry : Pose {
+  Eigen::Vector3d linear, angular;
+  std::string child_frame_id;
+};
+
+/** How far the nearest of some stamps lies from one [s, negative: before it]. */
+template <class Keyed>
+double toNearest(const Keyed& by_stamp, Stamp stamp) {
+  double best = std::numeric_limits<double>::infinity();
+  const auto after = by_stamp.lower_bound(stamp);
+  if (after != by_stamp.end()) best = seconds(after->first - stamp);
+  if (after == by_stamp.begin()) return best;
+  const double before = seconds(std::prev(after)->first - stamp);
+  return std::abs(before) < std::abs(best) ? before : best;
+}
+
+/** The messages of a topic, or of a tf frame. Where the clock jumps back, or stands still, a stamp comes again. */
+template <class Message>
+struct Track {
+  std::multimap<Stamp, Message> by_stamp;
+  Stamp last = 0;
+  std::int64_t backwards = 0;  ///< how often a stamp lay before the one before
+
+  void add(Stamp stamp, Message message) {
+    if (!by_stamp.empty() && stamp < last) ++backwards;
+    last = stamp;
+    by_stamp.emplace(stamp, std::move(message));
+  }
+
+  /** Of those at a stamp the one whose attitude is nearest; nullptr where there is none. */
+  const Message* at(Stamp stamp, const Eigen::Quaterniond& attitude) const {
+    const auto [begin, end] = by_stamp.equal_range(stamp);
+    const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) {
+      return angleBetween(a.second.attitude, attitude) < angleBetween(b.second.attitude, attitude);
+    });
+    return best == end ? nullptr : &best->second;
+  }
 };
 
 struct Description {
@@ -85,22 +120,19 @@ struct Description {
   Effects forces;                    ///< the same, as read
   double metres_per_radian_per_second = 0;
 
-  bool hasEffect(const std::string& type) const;
   /** True when nothing turns the body: no effect, or none but translation. */
-  bool isFree() const;
+  bool isFree() const { return !forces.turns; }
 };
 
 /** A marker, without what no check looks at. */
 struct Drawing {
   Stamp stamp = 0;  ///< 0: does not change
   std::string name_space, frame_id;
-  int id = 0, type = 0;
+  int type = 0;
   Eigen::Vector3d position, scale;
   Eigen::Quaterniond orientation_as_sent, orientation;
   std::vector<Eigen::Vector3d> points;  ///< of polhodes and arrows only
   std::string flaw;
-
-  bool sameAs(const Drawing& other) const;
 };
 
 State read(const poinsot::BodyState& message);
@@ -109,13 +141,15 @@ Transform read(const geometry_msgs::TransformStamped& message);
 Description read(const poinsot::BodyDescription& message);
 Drawing read(const visualization_msgs::Marker& message);
 
-/** What one body's topics carried. A stamp may come more than once (a seek on a clock that stands still). */
+/** What one body's topics carried. */
 struct Body {
-  std::string key;   ///< its topics' namespace
-  std::string name;  ///< as its messages say
-  std::vector<State> states;
-  std::multimap<Stamp, Odometry> odometry;
-  std::int64_t odometry_backwards = 0;
+  std::string key;            ///< its topics' namespace
+  std::string name;           ///< as its messages say
+  std::vector<State> states;  ///< as received, until they are put in order
+  bool repeats = false;       ///< some of them came again, which are left out: a recording was played in a loop
+  bool listed = false;        ///< in another order than that in which they were sent
+  std::int64_t jumps = 0;     ///< how often their clock jumped back, as far as it can be seen
+  Track<Odometry> odometry;
   std::vector<Description> descriptions;
   std::vector<Drawing> drawings;  ///< the markers whose namespace begins with its name
 
@@ -125,6 +159,14 @@ struct Body {
   const Description* descriptionAt(Stamp stamp) const;
   /** All texts of all descriptions could be read. */
   bool effectsAreRead() const;
+  /** By all descriptions. */
+  bool isFree() const;
+
+  /**
+   * Puts the states in the order in which they were sent. A bag that was recorded by a clock that jumped back lists
+   * them by stamp, those of one time that the clock ran between those of another.
+   */
+  void putInOrder();
 };
 
 /** All transforms, by the frame that they place. */
@@ -132,24 +174,22 @@ class Transforms {
  public:
   void add(const std::string& child, Stamp stamp, const Transform& transform, bool is_static);
 
-  /** Those of one frame that moves, by stamp. */
-  const std::multimap<Stamp, Transform>* moving(const std::string& child) const;
-  std::int64_t backwards(const std::string& child) const;
-  std::vector<std::string> movingFrames() const;
-  const Transform* fixed(const std::string& child) const;
+  /** Those of one frame that moves, or nullptr. */
+  const Track<Transform>* moving(const std::string& child) const;
+  const std::map<std::string, Track<Transform>>& moving() const { return moving_; }
 
-  /** v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received. */
-  std::optional<Eigen::Isometry3d> between(const std::string& from, const std::string& to, Stamp stamp) const;
+  /**
+   * v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received.
+   * @param near of several transforms at that stamp the one nearest to this attitude counts
+   */
+  std::optional<Eigen::Isometry3d> between(const std::string& from, const std::string& to, Stamp stamp,
+                                           const Eigen::Quaterniond& near = Eigen::Quaterniond::Identity()) const;
 
  private:
-  std::vector<std::pair<std::string, Eigen::Isometry3d>> chainToRoot(const std::string& frame, Stamp stamp) const;
+  std::vector<std::pair<std::string, Eigen::Isometry3d>> chainToRoot(const std::string& frame, Stamp stamp,
+                                                                     const Eigen::Quaterniond& near) const;
 
-  struct Moving {
-    std::multimap<Stamp, Transform> by_stamp;
-    Stamp last = 0;
-    std::int64_t backwards = 0;
-  };
-  std::map<std::string, Moving> moving_;
+  std::map<std::string, Track<Transform>> moving_;
   std::map<std::string, Transform> fixed_;
 };
 

@@ -57,7 +57,6 @@ class Judge {
   void ifNothing(const std::string& text) { if_nothing_ = text; }
 
   std::int64_t count() const { return check_.count; }
-  std::int64_t failures() const { return failures_; }
   Check verdict() const;
 
  private:

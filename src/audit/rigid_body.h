@@ -6,17 +6,41 @@
 #include <vector>
 
 #include "poinsot/audit/effects.h"
-#include "poinsot/audit/free_motion.h"
 
-/** The audit's own physics of a body under torques, in body axes (any). Shares no code with the node's. */
+/** The audit's own physics of a rigid body, free or under torques, in body axes (any). Shares no code with the node's.
+ */
 namespace poinsot::audit {
 
-/** Where a body is. */
-struct Phase {
-  Eigen::Quaterniond attitude;                           ///< body → world, unit
-  Eigen::Vector3d omega;                                 ///< Ω [rad/s], body axes
-  Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();  ///< σ [rad/s], body axes; zero without a slug
+/** exp of a rotation vector [rad]. */
+Eigen::Quaterniond rotationBy(const Eigen::Vector3d& theta);
+
+/** The rotation vector [rad] of a unit quaternion, |θ| ≤ π. */
+Eigen::Vector3d rotationVector(const Eigen::Quaterniond& q);
+
+struct Inertia {
+  explicit Inertia(const Eigen::Matrix3d& tensor);
+
+  Eigen::Matrix3d tensor, inverse;
+  Eigen::Vector3d moments;  ///< ascending
+
+  double energy(const Eigen::Vector3d& omega_body) const { return 0.5 * omega_body.dot(tensor * omega_body); }
+  /** |L|/μ_min: no free motion of that momentum turns faster [rad/s]. */
+  double fastestRate(const Eigen::Vector3d& omega_body) const { return (tensor * omega_body).norm() / moments[0]; }
+  /** How fast two neighbouring free motions can part: exponentially near the unstable axis [1/s]. */
+  double partingRate(const Eigen::Vector3d& omega_body) const;
+  /** What rounding Ω and M once does to E and to L, relatively: 1 for a sphere, up to about μ_max/μ_min. */
+  double conditionOfEnergy(const Eigen::Vector3d& omega_body) const;
+  double conditionOfMomentum(const Eigen::Vector3d& omega_body) const;
 };
+
+/** Where a body is. S is double, or a power series in time. */
+template <class S>
+struct PhaseOf {
+  Eigen::Quaternion<S> attitude;                                       ///< body → world, unit
+  Eigen::Matrix<S, 3, 1> omega;                                        ///< Ω [rad/s], body axes
+  Eigen::Matrix<S, 3, 1> slug_omega = Eigen::Matrix<S, 3, 1>::Zero();  ///< σ [rad/s], body axes; zero without a slug
+};
+using Phase = PhaseOf<double>;
 
 /** A phase some time later, and what acted in between. */
 struct Travelled {
@@ -25,12 +49,14 @@ struct Travelled {
   double work;              ///< ∫ Ω·(all torques on the body) [J]: what E has gained
 };
 
-class DrivenBody {
+/** A body and what acts on it; free where nothing does. */
+class RigidBody {
  public:
-  DrivenBody(const Inertia& inertia, const Effects& effects) : inertia_(inertia), effects_(effects) {}
+  RigidBody(const Inertia& inertia, const Effects& effects) : inertia_(inertia), effects_(effects) {}
 
   const Inertia& inertia() const { return inertia_; }
   const Effects& effects() const { return effects_; }
+  double slugInertia() const { return effects_.slug ? effects_.slug->inertia : 0; }
 
   /** E of the body alone [J]. */
   double energy(const Phase& p) const { return inertia_.energy(p.omega); }
@@ -71,7 +97,8 @@ class DrivenBody {
  */
 class Neighbours {
  public:
-  Neighbours(const DrivenBody& body, double t, const Phase& start);
+  /** @param body must outlive this */
+  Neighbours(const RigidBody& body, double t, const Phase& start);
 
   /** False where that would take too many substeps. */
   bool travel(double t, double duration);
@@ -87,7 +114,7 @@ class Neighbours {
 
  private:
   static constexpr double kOff = 1e-5;
-  const DrivenBody& body_;
+  const RigidBody* body_;
   std::vector<Phase> phases_;
 };
 
