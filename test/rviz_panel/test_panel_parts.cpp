@@ -272,7 +272,7 @@ TEST(HiddenParts, comesBackAsItWasSaved) {
 }
 
 TEST(MomentumCamera, standsAtTheTipOfL) {
-  for (const Eigen::Vector3d l :
+  for (const Eigen::Vector3d& l :
        {Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(-4, 1, -2), Eigen::Vector3d(0, -1e-200, 0)}) {
     const OrbitAngles angles = anglesAlong(l);
     const Eigen::Vector3d eye(std::cos(angles.pitch) * std::cos(angles.yaw),
