@@ -1,5 +1,5 @@
-#include "poinsot/core/method.h"
 #include "poinsot/cost/choice.h"
+#include "poinsot/core/method.h"
 
 #include <algorithm>
 #include <cmath>
