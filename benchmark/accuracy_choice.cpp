@@ -50,8 +50,8 @@ struct Row {
   std::map<std::string, int> methods;
 };
 
-Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_closed_form,
-            const cost::MethodCosts& costs) {
+/** @param with_costs also measures them, and searches all methods and steps for a cheaper way. */
+Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_closed_form, bool with_costs) {
   std::vector<std::string> candidates;
   if (with_closed_form) candidates.push_back(kClosedForm);
   for (const Method& method : freeMethods()) candidates.push_back(method.name);
@@ -61,20 +61,22 @@ Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_c
   for (const MotionSetup& body : bodies) {
     cost::Choice choice;
     try {
-      choice = cost::choose(body, {accuracy, kHorizon, kRate, candidates}, costs);
+      choice = cost::choose(body, {accuracy, kHorizon, kRate, candidates}, cost::nominalCosts());
     } catch (const cost::Unreachable&) {
       ++row.refused;
     }
     const bool chosen = !choice.method.empty();
-    const double cost = chosen ? measuredCost(body, choice.method, choice.step) : 1e9;
-    double cheapest = cost;
-    for (const auto& way : exhaustive::waysToKeep(body, accuracy, kHorizon, kRate, leastCost, chosen ? cost : 0.01)) {
-      cheapest = std::min(cheapest, measuredCost(body, way.method, way.step));
+    if (with_costs) {
+      const double cost = chosen ? measuredCost(body, choice.method, choice.step) : 1e9;
+      double cheapest = cost;
+      for (const auto& way : exhaustive::waysToKeep(body, accuracy, kHorizon, kRate, leastCost, chosen ? cost : 0.01)) {
+        cheapest = std::min(cheapest, measuredCost(body, way.method, way.step));
+      }
+      if (!chosen) row.refused_wrongly += cheapest < 1e9;
+      if (with_closed_form) cheapest = std::min(cheapest, measuredCost(body, kClosedForm, std::nullopt));
+      if (chosen) ratios.push_back(cost / cheapest);
     }
-    if (!chosen) {
-      row.refused_wrongly += cheapest < 1e9;
-      continue;
-    }
+    if (!chosen) continue;
     ++row.chosen;
     ++row.methods[choice.method];
     MotionSetup setup = body;
@@ -83,8 +85,6 @@ Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_c
     const double error = choice.step ? exhaustive::errorAt(setup, times, 10) : choice.verified_error;
     row.kept += error <= accuracy;
     row.worst_error = std::max(row.worst_error, error / accuracy);
-    if (with_closed_form) cheapest = std::min(cheapest, measuredCost(body, kClosedForm, std::nullopt));
-    ratios.push_back(cost / cheapest);
   }
   if (!ratios.empty()) {
     std::sort(ratios.begin(), ratios.end());
@@ -97,9 +97,10 @@ Row measure(const std::vector<MotionSetup>& bodies, double accuracy, bool with_c
 int usage(int code) {
   std::fprintf(
       code ? stderr : stdout,
-      "usage: accuracy_choice\n\n"
+      "usage: accuracy_choice [--without-costs]\n\n"
       "accuracy: on %d random bodies against an exhaustive search, as Markdown tables (minutes).\n"
       "Steppers are judged down to 1e-11 rad; below it the tables only show.\n"
+      "--without-costs  leaves out what is measured in time, and the search: what is left is the same in every run.\n"
       "Exit status: 0; 1 when an accuracy is not kept, one that can be is refused, or a choice costs more than\n"
       "twice the cheapest; 2 for bad use.\n",
       kBodies);
@@ -110,25 +111,26 @@ int usage(int code) {
 
 int main(int argc, char** argv) {
   if (argc == 2 && (!std::strcmp(argv[1], "--help") || !std::strcmp(argv[1], "-h"))) return usage(0);
-  if (argc != 1) return usage(2);
+  const bool with_costs = argc == 1;
+  if (!with_costs && (argc != 2 || std::strcmp(argv[1], "--without-costs"))) return usage(2);
   const std::vector<MotionSetup> bodies = exhaustive::randomBodies(kBodies, kSeed);
-  const cost::MethodCosts& costs = cost::nominalCosts();
   bool good = true;
   for (const bool with_closed_form : {true, false}) {
     std::printf("%s:\n\n", with_closed_form ? "Free to choose" : "With `method: stepper`");
-    std::printf(
-        "| accuracy [rad] | chosen | kept | greatest error / accuracy | cost / cheapest: median | worst | methods |\n");
-    std::printf("|---|---|---|---|---|---|---|\n");
+    std::printf("| accuracy [rad] | chosen | kept | greatest error / accuracy |%s methods |\n",
+                with_costs ? " cost / cheapest: median | worst |" : "");
+    std::printf("|---|---|---|---|---|%s\n", with_costs ? "---|---|" : "");
     for (int digits = 1; digits <= 13; ++digits) {
       char text[16];
       std::snprintf(text, sizeof text, "1e-%d", digits);
-      const Row row = measure(bodies, std::stod(text), with_closed_form, costs);
+      const Row row = measure(bodies, std::stod(text), with_closed_form, with_costs);
       std::string names;
       for (const auto& [name, count] : row.methods) {
         names += (names.empty() ? "" : ", ") + name + " " + std::to_string(count);
       }
-      std::printf("| %s | %d of %d | %d | %.2f | %.2f | %.2f | %s |\n", text, row.chosen, kBodies, row.kept,
-                  row.worst_error, row.median_cost, row.worst_cost, names.c_str());
+      std::printf("| %s | %d of %d | %d | %.2f |", text, row.chosen, kBodies, row.kept, row.worst_error);
+      if (with_costs) std::printf(" %.2f | %.2f |", row.median_cost, row.worst_cost);
+      std::printf(" %s |\n", names.c_str());
       std::fflush(stdout);
       good = good && row.kept == row.chosen;
       // Beyond it rounding decides, and which steps will do is a matter of luck.

@@ -46,7 +46,8 @@ class FrameCounter : public Ogre::FrameListener {
 
 void spin(double seconds) {
   QElapsedTimer timer;
-  for (timer.start(); timer.elapsed() < 1000 * seconds;) QApplication::processEvents(QEventLoop::AllEvents, 20);
+  for (timer.start(); timer.elapsed() < static_cast<qint64>(1000 * seconds);)
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
 struct Pace {
@@ -89,7 +90,8 @@ class Stage {
     QElapsedTimer timer;
     timer.start();
     spin(seconds);
-    return {1000.0 * counter_.count / timer.elapsed(), double(std::clock() - cpu) / CLOCKS_PER_SEC / counter_.count};
+    return {1000.0 * counter_.count / static_cast<double>(timer.elapsed()),
+            static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC / counter_.count};
   }
 
  private:

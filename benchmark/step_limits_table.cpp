@@ -37,7 +37,7 @@ std::vector<Body> drawBodies() {
     const ClosedForm orbit(body.moments, Eigen::Quaterniond::Identity(), body.omega);
     for (int k = 0; k < 8; ++k) {
       const ClosedForm::State state = orbit.at(k / 8.0 * orbit.period());
-      body.places.emplace_back(body.moments, state.attitude, state.omega_body);
+      body.places.emplace_back(body.moments, state.attitude, state.omega_principal);
     }
     bodies.push_back(body);
   }
@@ -49,7 +49,7 @@ double worstError(const Stepper& stepper, const Body& body, double step, int ste
   double worst = 0;
   for (const ClosedForm& truth : body.places) {
     const ClosedForm::State start = truth.at(0);
-    RotationState state = RotationState::fromOmega(body.moments, start.attitude, start.omega_body);
+    RotationState state = RotationState::fromOmega(body.moments, start.attitude, start.omega_principal);
     for (int n = 1; n <= steps; ++n) {
       try {
         stepper.advance(state, 0, step, 1);

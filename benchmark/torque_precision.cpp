@@ -139,8 +139,8 @@ State<Number> fixedSteps(const Problem& p, const Torque& torque, Stepper stepper
   State<Number> s = startOf<Number>(p);
   const auto system = systemOf<Number>(p, torque);
   const long n = static_cast<long>(std::ceil(end / step));
-  const Number h = Number(end) / n;
-  for (long i = 0; i < n; ++i) stepper.do_step(std::ref(system), s, i * h, h);
+  const Number h = Number(end) / Number(n);
+  for (long i = 0; i < n; ++i) stepper.do_step(std::ref(system), s, Number(i) * h, h);
   return s;
 }
 

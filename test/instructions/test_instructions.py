@@ -82,6 +82,17 @@ def differences(found, one, other, tolerance):
     return out if pairs else ["nothing to compare"]
 
 
+def misquoted(document, state):
+    """Complaints where the document's sentence on a state in closed form has other counts; 1 % stands for other compilers."""
+    sentence = re.search(r"in closed form executes (\d+) instructions, one composed by hand .*? (\d+)[;,.].*? (\d+) of them are the "
+                         r"closed form itself", document, re.DOTALL)
+    if not sentence:
+        return ["expected \"in closed form executes N instructions, one composed by hand … N; … N of them are the closed form "
+                "itself\""]
+    return ["expected %.0f, got %s" % (count, quoted) for count, quoted in zip(state, sentence.groups())
+            if abs(int(quoted) / count - 1) > 0.01]
+
+
 def changes(found, effect):
     """Complaints about the bodies beside one that has the effect, against the scene without it."""
     return [complaint for body in ("in_closed_form", "stepped")
@@ -118,8 +129,13 @@ def main():
         for method in METHODS:
             print("        %-10s %8.1f instructions a step, by hand %8.1f" %
                   (method, found[method + "/scene"] / STEPS, found[method + "/stepper"] / STEPS))
-        print("        closed_form %7.1f instructions a state, composed by hand %.1f, without E, L and omega %.1f" % tuple(
-            found["closed_form/" + way] / STEPS for way in ("scene", "by_hand", "closed_form_alone")))
+        state = [found["closed_form/" + way] / STEPS for way in ("scene", "by_hand", "closed_form_alone")]
+        print("        closed_form %7.1f instructions a state, composed by hand %.1f, without E, L and omega %.1f" % tuple(state))
+        with open(os.path.join(ROOT, "doc", "scene_cost.md")) as handle:
+            document = handle.read()
+        check("doc/scene_cost.md has the counts of a state in closed form", misquoted(document, state))
+        more_by_a_tenth = [1.1 * count for count in state]
+        check("and an old count in it would be noticed", [] if misquoted(document, more_by_a_tenth) else ["it is not"])
 
         scenes = [write(folder, "free", bodies_with(None))] + [write(folder, e, bodies_with(e)) for e in EFFECTS]
         found_beside = counts(folder, "others", STATES, *scenes)
