@@ -34,7 +34,8 @@ class Search {
     std::vector<const Method*> steppers;
     for (const std::string& name : request_.candidates) {
       if (name == kClosedForm) tryClosedForm();
-      if (const Method* method = findMethod(name)) steppers.push_back(method);
+      if (const Method* method = findMethod(name, torqued_ ? torquedMethods() : freeMethods()))
+        steppers.push_back(method);
     }
     if (objection.empty()) {
       limits_ = truth_.limits();
