@@ -29,9 +29,9 @@ say "accuracy: against an exhaustive search"
   cat << 'TEXT'
 ## `accuracy:` in a scene, against an exhaustive search
 
-Thirty random bodies, T = 100 s, a state at every tick of 60 Hz. *Kept*: the error at 3000 random times, which are no ticks, stays
-within the accuracy. The cost is measured, of the motion asked for its states, and divided by that of the cheapest way that an
-exhaustive search over all methods and a ladder of steps finds. Steppers are judged down to 1e-11 rad.
+Thirty random bodies, T = 100 s, a state at every tick of 60 Hz. *Kept*: the error at 3000 random times, none
+of them a tick, stays within the accuracy. The cost is that of computing the states, measured and divided by that of the cheapest method
+and step that an exhaustive search over all methods and a ladder of steps finds. Steppers are judged down to 1e-11 rad.
 
 TEXT
   "$programs/accuracy_choice" || bad=$?
@@ -48,9 +48,9 @@ say "under torques"
   cat << 'TEXT'
 # What accuracy costs under torques
 
-CPU time of one motion from 0 to 100 s, set-up included, of Poinsot's methods under torques and of Boost.odeint's steppers with a
-right-hand side written for the one torque, all in one run; of each side the cheapest that keeps the error, the worst of four end
-times, of the attitude [rad] and, relative to |Ω|, of Ω. The truth is Fehlberg's 7(8) of odeint in long double. Made by
+CPU time of one motion from 0 to 100 s, set-up included, under Poinsot's methods for torques and under Boost.odeint's steppers with a
+right-hand side written for that torque, all in one run. For each side, the table has the cheapest method that keeps the error; this is
+the worst of four end times, of the attitude [rad] and of Ω, relative to |Ω|. The truth is odeint's Fehlberg 7(8) in long double. Made by
 `scripts/benchmark.sh`, or by `build/devel/lib/poinsot/torque_precision` alone.
 
 TEXT

@@ -57,8 +57,8 @@ programs_section() {
 
 ## What the programs say
 
-A scene whose step is refused does not start; one that is warned of starts, and says so. `propagate` does what it is asked to,
-and says of every row what the judgement is; a state that is infinite or undefined is an error, whatever the step.
+A scene whose step is refused does not start; one whose step causes a warning starts, with the warning. `propagate` computes every row
+and warns of each one that is not to be trusted; a state that is infinite or undefined is an error, whatever the step.
 
 TEXT
   scene fast lie_euler 0.016667 5720 4767 6674
@@ -73,9 +73,9 @@ head_section() {
   cat << 'TEXT'
 # Hard cases
 
-Made by `scripts/hard_cases.sh`; do not edit. Every method meets every hard case; the tests (`test_hard_cases`) hold it to
-the same promises on the same cases, and to nothing less when a method is added: what it must keep follows from its row
-in the table of methods.
+Made by `scripts/hard_cases.sh`; do not edit. Every method is run on every hard case. The test `test_hard_cases` checks the
+same promises on the same cases, also for a method that is added later: what it must conserve follows from its row in the table
+of methods.
 
 TEXT
 }
