@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
-# Measures what accuracy costs, here and in other people's solvers, and writes doc/accuracy_cost.md with its pictures and doc/torque_cost.md.
+# Measures what accuracy costs, for Poinsot and for other people's solvers, and writes doc/accuracy_cost.md with its
+# pictures and doc/torque_cost.md.
 #
 # Usage: scripts/benchmark.sh
 #
-# Installs the solvers that are missing; takes about a quarter of an hour on a quiet machine: let nothing else run meanwhile.
+# Installs the solvers that are missing. Takes about a quarter of an hour; run nothing else on the machine meanwhile.
 # The build directory is build/, or $POINSOT_BUILD.
-# Exit: 0; 1 when something could not be built, measured or written, or accuracy: breaks its word; 2 for bad use.
+# Exit: 0; 1 when something could not be built, measured or written, or an accuracy: is not kept; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in
   '') ;;
   -h | --help) usage; exit 0 ;;
-  *) bad_use "benchmark.sh: unknown word '$1'; it takes none" ;;
+  *) bad_use "benchmark.sh: expected no argument, got '$1'" ;;
 esac
 
 "$root/scripts/setup.sh" --benchmarks --peers
@@ -37,7 +38,7 @@ TEXT
   "$programs/accuracy_choice" || bad=$?
 } > "$work/accuracy.md"
 cat "$work/accuracy.md"
-[ "$bad" -le 1 ] || fail "accuracy_choice broke off"
+[ "$bad" -le 1 ] || fail "benchmark.sh: accuracy_choice failed"
 
 say "work and precision"
 "$programs/work_precision" --document "$root/doc/accuracy_cost.md" --append "$work/accuracy.md"
@@ -57,7 +58,7 @@ TEXT
   "$programs/torque_precision" || bad=$?
 } > "$work/torque_cost.md"
 cat "$work/torque_cost.md"
-[ "$bad" -le 1 ] || fail "torque_precision broke off"
+[ "$bad" -le 1 ] || fail "benchmark.sh: torque_precision failed"
 mv "$work/torque_cost.md" "$root/doc/torque_cost.md"
 echo "written: $root/doc/torque_cost.md"
 exit "$bad"
