@@ -1,4 +1,5 @@
-/** Whether `accuracy:` keeps its word, and what it costs beside the cheapest way there is: Markdown on stdout. */
+/** Checks whether `accuracy:` is kept, and compares its cost with that of the cheapest method and step: prints
+ * Markdown. */
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -22,7 +23,7 @@ constexpr int kBodies = 30;
 constexpr unsigned kSeed = 1758;
 constexpr int kJudgedDigits = 11;  // of the steppers' accuracy
 
-/** CPU seconds per simulated second, of the motion asked for its state at every tick: the fastest of some runs. */
+/** CPU seconds per simulated second to compute the state at every tick: the fastest of several runs. */
 double measuredCost(MotionSetup setup, const std::string& method, std::optional<double> step) {
   setup.method = method;
   setup.step = step;
@@ -39,7 +40,7 @@ double measuredCost(MotionSetup setup, const std::string& method, std::optional<
   return best;
 }
 
-/** In the search: no way is cheaper than its steps at 15 ns each. */
+/** In the search: steps cost at least 15 ns each. */
 double leastCost(const std::string&, double step, double) {
   return 15e-9 / step;
 }
@@ -133,7 +134,7 @@ int main(int argc, char** argv) {
       std::printf(" %s |\n", names.c_str());
       std::fflush(stdout);
       good = good && row.kept == row.chosen;
-      // Beyond it rounding decides, and which steps will do is a matter of luck.
+      // Beyond it, the result depends on rounding, and so do the steps that suffice.
       if (!with_closed_form && digits > kJudgedDigits) continue;
       good = good && row.refused_wrongly == 0 && row.worst_cost <= 2;
     }

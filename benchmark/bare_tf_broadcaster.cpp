@@ -1,4 +1,4 @@
-// The peer of the node: what any program that broadcasts one moving frame costs, and nothing more.
+// The peer of the node: a program that broadcasts one moving frame, and nothing more.
 // Parameter ~rate [Hz] (60).
 
 #include <geometry_msgs/TransformStamped.h>

@@ -1,4 +1,4 @@
-// How long the closed form and the methods take. doc/benchmarks.md says what the names mean.
+// Measures the closed form and the methods. doc/benchmarks.md says what the names mean.
 #include <benchmark/benchmark.h>
 
 #include "closed_form_benchmarks.h"

@@ -16,7 +16,7 @@ ClosedForm closedForm(const Start& start) {
   return {start.moments, start.attitude, start.omega};
 }
 
-/** One set-up after the other, of starts that differ. */
+/** One set-up after another, for different starts. */
 void setup(benchmark::State& state, const Regime& regime) {
   std::size_t i = 0;
   for (auto _ : state) {
@@ -26,7 +26,7 @@ void setup(benchmark::State& state, const Regime& regime) {
   }
 }
 
-/** One body at times in no order, which neither branch prediction nor reuse can foresee. */
+/** One body at random times, so that neither branch prediction nor reuse helps. */
 void at(benchmark::State& state, const Regime& regime) {
   const ClosedForm form = closedForm(regime.starts.front());
   std::size_t i = 0;
@@ -37,7 +37,7 @@ void at(benchmark::State& state, const Regime& regime) {
   }
 }
 
-/** Whole grids, each from another time on; an iteration is one state of them. */
+/** Whole grids, each with another start time; an iteration is one state. */
 void samplePerState(benchmark::State& state, const Regime& regime, Eigen::Index count) {
   const ClosedForm form = closedForm(regime.starts.front());
   ClosedForm::Samples table(count, 7);

@@ -3,10 +3,10 @@
 
 Usage: closed_form_error.py [--propagate FILE] [--out DIRECTORY]
 
-Runs the program `propagate` on bodies drawn at random, the same in every run, and compares its states with those of
-test/data/reference.py at 45 digits. For contrast: the steps of rk4, the closed form as textbooks print it in doubles,
-and how far the truth moves with half a last bit of an input. Writes closed_form_error_time.png and
-closed_form_error_separatrix.png, and prints the worst of each. About a minute of one core; needs python3-mpmath,
+Runs the program `propagate` on random bodies, the same in every run, and compares its states with those of
+test/data/reference.py at 45 digits. For contrast it also shows rk4, the closed form as textbooks print it in doubles, and
+how far the truth moves with half a last bit of an input. Writes closed_form_error_time.png and
+closed_form_error_separatrix.png, and prints the worst of each. Takes about a minute of one core; needs python3-mpmath,
 python3-gmpy2 and python3-matplotlib.
 
 Exit status: 0; 1 when an error of the closed form is above the goal; 2 when a program is missing or fails.
@@ -63,7 +63,7 @@ def truth(body, t):
 
 
 def propagate(program, cases, *arguments):
-    """The states that the program has for the cases, in their order."""
+    """The states that the program computes for the cases, in their order."""
     lines = ["id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t"]
     for k, case in enumerate(cases):
         lines.append("%d,%s" % (k, ",".join(map(float.hex, case.body.moments + ATTITUDE + case.body.omega + [case.t]))))
@@ -90,13 +90,13 @@ def worst(errors):
 
 # ----------------------------------------------------------------------------- cases
 def times(draw, least, most, per_decade):
-    """Of either sign, evenly strewn over the logarithm."""
+    """Numbers of either sign, evenly distributed over the logarithm."""
     n = round(math.log10(most / least) * per_decade)
     return [draw.choice((-1, 1)) * least * (most / least) ** ((k + draw.random()) / n) for k in range(n)]
 
 
 def period(body):
-    """Of Omega [s]; moments in ascending order, no steady spins, not on the separatrix."""
+    """The period of Omega [s]; for moments in ascending order, no steady spins, not on the separatrix."""
     I1, I2, I3 = map(mpf, body.moments)
     w1, w2, w3 = map(mpf, body.omega)
     if I3 * (I3 - I2) * w3 * w3 < I1 * (I2 - I1) * w1 * w1:
@@ -119,7 +119,7 @@ FAMILIES = ["round axis 3: Ω = (3 − 3δ, ±½, 1), μ = (4, 5, 9)", "round ax
 
 
 def near_separatrix(family, draw, delta):
-    """A body of the family and how far from the separatrix it comes to lie when its numbers are rounded."""
+    """A body of the family, and how far it is from the separatrix after its numbers are rounded."""
     if family == 2:
         return Body(FAMILIES[2], [1.0, 2.0, 3.0], [delta, 1.0, delta]), delta
     outer = 3.0 * (1 + (-1, 1)[family] * delta)
@@ -253,9 +253,9 @@ def main():
     parser.add_argument("--out", metavar="DIRECTORY", default=os.path.join(ROOT, "doc"))
     options = parser.parse_args()
     if not os.access(options.propagate, os.X_OK):
-        parser.error("there is no program %s; scripts/test.sh builds it" % options.propagate)
+        parser.error("expected the program propagate, which scripts/build.sh builds, found no %s" % options.propagate)
     if not os.path.isdir(options.out):
-        parser.error("there is no directory %s" % options.out)
+        parser.error("--out: expected a directory, got %s" % options.out)
 
     good = True
     for name, plot in (("against time", plot_against_time), ("against the separatrix", plot_against_distance)):

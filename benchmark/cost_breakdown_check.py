@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Compares what scene_cost says with a bare loop over the same motion, a program that does nothing else, in turn.
+"""Compares the figures of scene_cost with those of a bare loop over the same motion, running the two programs in turn.
 
 Usage: cost_breakdown_check.py [ROUNDS]    (default 20; needs the targets scene_cost and instruction_probe in build/)
 
-The bare loop runs from the start to the end, whatever disturbs it included; its fastest run counts, and the median of what
-scene_cost says. The part of an effect is, for the loop, the difference of two scenes, one without the effect.
+The time of the bare loop is that of its fastest run from start to end; the figure of scene_cost is the median of its runs.
+For the loop, the part of an effect is the difference of two scenes, one of them without the effect.
 """
 import csv
 import os
@@ -22,7 +22,7 @@ WEIGHT = "{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 0.3]}"
 NOTHING = "{type: constant_torque, frame: body, torque: [0, 0, 0]}"
 ORBIT = BODY + ", method: taylor12, step: 0.1"
 GRADIENT = "{type: gravity_gradient, orbit_rate: 0.1, orbit_normal: [0, 0, 1], radial_at_start: [1, 0, 0]}"
-# name: what the body is, its effects, and the same without the one whose part is looked at
+# name: the body, its effects, and the effects without the one whose part is measured
 SCENES = {
     "closed_form": (BODY, [], None, None),
     "dmv8, 0.01 s": (BODY + ", method: dmv8, step: 0.01", [], None, None),

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How many pictures a second RViz draws of a scene under software OpenGL, beside an RViz that shows nothing.
+# Counts the pictures a second that RViz draws of a scene under software OpenGL, beside an RViz that shows nothing.
 #
 # Usage: benchmark/frame_rate.sh SCENE [VIEW] [OPTION ...]
 #   SCENE      a name in scenes/
@@ -17,12 +17,12 @@ if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
   view=$1
   shift
 fi
-[ -f "$root/scenes/$scene.yaml" ] || bad_use "frame_rate.sh: there is no scene $scene"
+[ -f "$root/scenes/$scene.yaml" ] || bad_use "frame_rate.sh: expected one of the scenes $(scene_names | paste -sd' '), got '$scene'"
 case "$view" in
   */* | *.rviz) file=$(realpath -m -- "$view") ;;
   *) file=$root/rviz/$view.rviz ;;
 esac
-[ -f "$file" ] || bad_use "frame_rate.sh: there is no view $view"
+[ -f "$file" ] || bad_use "frame_rate.sh: expected a name in rviz/ or the path of a .rviz file, got '$view'"
 
 build_package -DPOINSOT_BUILD_BENCHMARKS=ON demo rviz_frame_rate
 enter_devel

@@ -1,4 +1,4 @@
-/** Every method on every hard case, as Markdown on stdout: most of doc/hard_cases.md. */
+/** Runs every method on every hard case and prints most of doc/hard_cases.md, as Markdown. */
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +25,7 @@ constexpr double kRoundoff = 1e-14;
 struct Result {
   HardCase hard_case;
   std::string method;
-  bool has_truth;  ///< the closed form is compared with nothing here
+  bool has_truth;  ///< false for the closed form, which is not compared with anything here
   bool conserves_momentum;
   StepJudgement judgement;
   Measured measured;
@@ -68,7 +68,7 @@ std::string notFinite(const Result& r) {
   return cell("∞ by " + std::to_string(r.measured.looked_at), "r", r.refused());
 }
 
-/** A change that is what rounding to denormal numbers does. */
+/** Whether a change comes from rounding to denormal numbers. */
 bool heldByDenormals(const Result& r, double change) {
   return change < 1e-12 && r.hard_case.moments.cwiseProduct(r.hard_case.omega).stableNorm() < 1e-292;
 }
@@ -103,7 +103,7 @@ std::string energyCell(const Result& r) {
               r.measured.energy <= r.promise.energy && r.measured.energy_outside <= r.promise.energy_outside);
 }
 
-/** A table for each six methods: more columns would not fit a page. */
+/** Prints a table for each six methods: more columns would not fit a page. */
 void printTable(const Results& results, const std::function<std::string(const Result&)>& show) {
   constexpr std::size_t kMostColumns = 6;
   const std::size_t methods = results.front().size();
@@ -120,7 +120,7 @@ void printTable(const Results& results, const std::function<std::string(const Re
   }
 }
 
-/** Of what is the same everywhere, the worst case of each method is enough. */
+/** Prints the worst case of each method; the others are alike. */
 void printNorms(const Results& results) {
   std::printf("| method | greatest error | in the case |\n|---|---|---|\n");
   for (std::size_t i = 0; i < results.front().size(); ++i) {
@@ -153,7 +153,7 @@ void printCases() {
   }
 }
 
-/** The methods of a case that are judged alike share a line. */
+/** Prints the refusals and warnings; the methods of a case that are judged alike share a line. */
 void printRefusals(const Results& results) {
   std::printf("| case | | why | methods, and the step that would do [s] |\n|---|---|---|---|\n");
   for (const auto& row : results) {
@@ -199,7 +199,7 @@ bool allKept(const Results& results) {
 const char kWhatMustHold[] = R"(## What must hold
 
 For a method of order p, h its step, w the fastest rate of the orbit (the greatest |Ω|, or |L|(1/μ_min − 1/μ_max) if that
-is more), n the number of steps, t = n·h, and κ = |Ω||L|/E, by which E feels a rounding of L more than L does:
+is more), n the number of steps, t = n·h, and κ = |Ω||L|/E, the factor by which a rounding of L affects E more than L:
 
 | | a method that conserves it | one that does not |
 |---|---|---|
@@ -207,32 +207,32 @@ is more), n the number of steps, t = n·h, and κ = |Ω||L|/E, by which E feels 
 | norm of q, error | 1e-15 after any number of steps | the same |
 | L in world axes, relative | 4e-15 after any number of steps, also where the step is refused | 1e-15·κ(20 + √n) + C(wh)^p(1 + w\|t\|) |
 | E, relative | 4e-15·κ after any number of steps | 1e-15·κ(20 + √n) + C(wh)^p(1 + w\|t\|); with L conserved never outside [L²/2μ_max, L²/2μ_min] |
-| attitude, first turn | 10π(wh)^p rad a turn and 1e-16 rad a step (splittings 4e-16); never more than 0.1, or 1 where the step is warned of | the same |
+| attitude, first turn | 10π(wh)^p rad a turn and 1e-16 rad a step (splittings 4e-16); never more than 0.1, or 1 where the step causes a warning | the same |
 
-C = 2 for p = 1, else 0.2. The last two lines do not bind a step that is refused. Denormal L is kept to 1000 of the smallest
-number, 5e-324. The closed form: norm 1e-15, L 4e-15, E 4e-15·κ, and always finite.
+C = 2 for p = 1, else 0.2. The last two lines do not apply to a step that is refused. Denormal L is conserved to 1000 times the
+smallest number, 5e-324. The closed form: norm 1e-15, L 4e-15, E 4e-15·κ, and always finite.
 )";
 
 const char kLetters[] = R"(
-A figure alone keeps its promise, and is roundoff in the tables of L, E and the norm. The tables are cut after six methods.
+A figure without a letter keeps its promise; in the tables of L, E and the norm it is roundoff. Each table has up to six methods.
 The letters:
 
-- **c** the closed form is the truth here; tests hold it to 2e-15 rad of references of 60 digits.
+- **c** the closed form is the truth here; tests compare it with references of 60 digits, to 2e-15 rad.
 - **r** the step is refused, see below; the figures show why.
-- **w** the step is warned of, see below.
+- **w** the step causes a warning, see below.
 - **g** each turn is off by no more than the first figure, but by the end of the run the turns have added up to more
   than 0.1 rad.
 - **d** not conserved, and changed by no more than the order allows.
 - **s** the same; the body has ended about its axis of smallest moment, where E is greatest for its L.
-- **t** kept as well as denormal numbers can hold it.
-- **∞ by n** no state when looked at after n steps: infinite, undefined, or an implicit method found no step; refused, and
-  every program says so if it is asked to go on.
+- **t** conserved as well as denormal numbers allow.
+- **∞ by n** after n steps there was no state: it was infinite or undefined, or an implicit method found no step. The step is
+  refused, and every program that continues with it reports the error.
 )";
 
 int usage(int code) {
   std::fprintf(code ? stderr : stdout,
                "usage: hard_cases [--long]\n\n"
-               "Every method on every hard case: Markdown tables on stdout.\n"
+               "Runs every method on every hard case and prints Markdown tables.\n"
                "--long adds runs of 1e8 steps (minutes).\n"
                "Exit status: 0; 1 when a figure breaks what is promised; 2 for bad use.\n");
   return code;
@@ -254,9 +254,9 @@ int main(int argc, char** argv) {
   printCases();
   std::printf("\n## Attitude: error in the first turn (or step, if longer), and over the whole run [rad]\n\n");
   std::printf(
-      "The first figure is the worst error per angle turned, at any look in the first turn, times a turn. After a "
-      "small "
-      "part of a\nturn (1e12, short step) it is roundoff, magnified.\n\n");
+      "The first figure is the worst error per angle turned, at any time checked in the first turn, times a turn. "
+      "After a "
+      "small part\nof a turn (1e12, short step) it is magnified roundoff.\n\n");
   printTable(results, attitudeCell);
   std::printf("\n## L in world axes: greatest change, relative\n\n");
   printTable(results, momentumCell);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace poinsot;
 
-/** The most memory that this process has ever had [kB]. */
+/** The peak memory of this process [kB]; -1 where the system does not tell. */
 long peakMemory() {
   std::ifstream status("/proc/self/status");
   std::string line;
@@ -49,9 +49,10 @@ bool printRow(const Method& method, const HardCase& full) {
 bool printLongRuns() {
   std::printf(
       "\n## 1e8 steps\n\n"
-      "Greatest changes until 1e6 steps and until 1e8. What is conserved does not drift: no sum of roundings grows "
+      "Greatest changes within 1e6 steps and within 1e8. What is conserved does not drift: rounding errors do not add "
+      "up "
       "with n.\n"
-      "The energy of a method that does not conserve it goes where its order takes it. Memory: VmHWM of the process "
+      "The energy of a method that does not conserve it drifts as its order allows. Memory: VmHWM of the process "
       "before\n"
       "and after.\n\n"
       "| method | body | norm | L at 1e6, 1e8 | E at 1e6, 1e8 | CPU [s] | memory [kB] "

@@ -1,7 +1,7 @@
 #pragma once
 
 /**
- * Every method for 1e8 steps, on a body that tumbles and on one whose steps all round alike: a Markdown section on
- * stdout. False where a figure breaks what is promised.
+ * Runs every method for 1e8 steps, on a body that tumbles and on one whose steps are all rounded alike: prints a
+ * Markdown section. False if a figure breaks its promise.
  */
 bool printLongRuns();

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""What a body costs in `simulate` when it is one of many, against one alone.
+"""Compares the cost in `simulate` of a body among many with that of one alone.
 
 Usage: many_bodies.py SIMULATE [--bodies N] [--duration S] [--bag]
 
-Writes a scene of N bodies near nothing special, each at a place of its own, and runs SIMULATE (the program's path) on it
-and on its first body. CPU time, user and system, the least of three runs. The start of the program is measured by a run
-of two states, and given apart.
+Writes a scene of N ordinary bodies, each at a place of its own, and runs SIMULATE (the path of the program) on it and on
+its first body. Prints CPU time, user and system, the least of three runs. The start of the program is measured by a run
+of two states and printed separately.
 """
 import argparse
 import os
@@ -56,7 +56,7 @@ def main():
             return cpu([options.simulate, path, "--duration", repr(duration), "--rate", "60"] + out)
         states = 60 * options.duration
         start, one = run(1, 1e-3), run(1, options.duration)
-        # One body's states take too little time to be told from the start: a hundred times as many do not.
+        # The states of one body take too little time to be distinguished from the start; a hundred times as many do not.
         long = (run(1, 100 * options.duration) - start) / (100 * states)
         begin, many = run(options.bodies, 1e-3), run(options.bodies, options.duration)
     each = (many - begin) / options.bodies / states

@@ -1,5 +1,4 @@
-/** What a state and a step of each method cost here, beside the nominal costs by which `accuracy:` chooses: Markdown.
- */
+/** Prints the cost of a state and of a step of each method here, beside the nominal costs that `accuracy:` uses. */
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -42,7 +41,7 @@ cost::MethodCost measure(const std::string& method, const std::vector<Effect>& e
   if (method != kClosedForm) setup.step = kStep;
   const Motion start(setup);
   [[maybe_unused]] volatile double sink = 0;
-  // A whole step, and then a partial one, to each state.
+  // Each state takes a whole step and then a partial one.
   const double state =
       fastest(start, kStates, [&](Motion& motion, int i) { sink = motion.at((i + 0.5) * kStep).attitude.w(); });
   if (method == kClosedForm) return {state, 0};

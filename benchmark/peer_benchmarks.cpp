@@ -14,7 +14,7 @@ using Body = std::array<double, 7>;  // w, x, y, z of the attitude, then Ω
 
 constexpr double kStep = 0.01;  // s; |Ω| is about 1 rad/s
 
-/** q̇ = ½q(0, Ω) and Euler's equations, their coefficients formed once. */
+/** q̇ = ½q(0, Ω) and Euler's equations, with coefficients computed once. */
 class FreeBody {
  public:
   explicit FreeBody(const Eigen::Vector3d& moments)
@@ -36,7 +36,8 @@ class FreeBody {
   double a_, b_, c_;
 };
 
-/** The same as odeint's tutorial begins: a function, which the solver calls through a pointer; the body is global. */
+/** The same in the style of odeint's tutorial: a function that the solver calls through a pointer; the body is global.
+ */
 double a, b, c;
 
 void freeBody(const Body& s, Body& rate, double) {

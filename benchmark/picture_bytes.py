@@ -9,8 +9,8 @@ Usage: picture_bytes.py [--seconds S] [--namespace NS]
 
 For example, with roslaunch poinsot demo.launch running:  benchmark/picture_bytes.py
 
-It asks for `markers` and `markers_static` only. The first message of `markers` to a newcomer clears what a viewer has, and
-does not count. Exit status: 0; 1 when no node sends markers within 20 s; 2 for bad use.
+It subscribes to `markers` and `markers_static` only. The first message of `markers` to a new subscriber deletes what a viewer
+may still show, and does not count. Exit status: 0; 1 when no node sends markers within 20 s; 2 for bad use.
 """
 import argparse
 import sys
@@ -39,7 +39,7 @@ def main():
     parser.add_argument("--namespace", default="/")
     options = parser.parse_args(rospy.myargv()[1:])
     if not 0.1 <= options.seconds <= 3600:
-        parser.error("--seconds must be from 0.1 to 3600")
+        parser.error("--seconds: expected 0.1 to 3600")
     base = options.namespace.rstrip("/") + "/"
 
     rospy.init_node("picture_bytes", anonymous=True, disable_signals=True)

@@ -3,8 +3,8 @@
 
 Usage: ratios.py [--program FILE] [--runs N] [--repetitions N] [--min-time S] [--csv FILE] [--markdown FILE]
 
-Runs the program `benchmarks` for each instruction set that this processor has, repetitions interleaved at random, and
-takes medians of CPU time. A ratio is to peer/odeint_rk4_step of the same run. Exit: 0 when every target is met in every
+Runs the program `benchmarks` for each instruction set that this processor has, with repetitions interleaved at random, and
+takes medians of CPU time. Ratios are to peer/odeint_rk4_step of the same run. Exit: 0 when every target is met in every
 run, 1 when one is missed, 2 for bad use.
 """
 import argparse
@@ -30,8 +30,8 @@ NEAR = ["towards_separatrix", "near_separatrix", "at_separatrix", "near_unstable
 
 
 def targets(level, best):
-    """{name: (most, unit)}; unit "peer" for a ratio, "ns" for a time. What holds whatever the instruction set is judged
-    on the best one, which is what runs."""
+    """{name: (most, unit)}; unit "peer" for a ratio, "ns" for a time. Targets that do not depend on the instruction set
+    are judged on the best one, which is the one that runs."""
     wanted = {}
     for regime in FAR + NEAR:
         for states in (6000, 100):
@@ -51,7 +51,7 @@ def targets(level, best):
 
 
 def available_levels():
-    """Their names; [None], which means the program's own choice, where there is nothing to choose from."""
+    """Their names; [None], the program's own choice, where there is only one."""
     try:
         with open("/proc/cpuinfo") as handle:
             flags = next((line.split(":")[1].split() for line in handle if line.startswith("flags")), [])
@@ -146,9 +146,9 @@ def main():
     parser.add_argument("--markdown", metavar="FILE", help="writes the tables of doc/benchmarks.md there")
     options = parser.parse_args()
     if options.runs < 1 or options.repetitions < 1 or not options.min_time > 0:
-        parser.error("runs, repetitions and min-time must be positive")
+        parser.error("expected positive numbers for runs, repetitions and min-time")
     if not os.access(options.program, os.X_OK):
-        parser.error("there is no program %s; scripts/test.sh builds it" % options.program)
+        parser.error("expected the program benchmarks (doc/benchmarks.md says how to build it), found no %s" % options.program)
 
     rows, missed = [], []
     levels = available_levels()

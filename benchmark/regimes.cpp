@@ -18,14 +18,14 @@ class Draws {
   double uniform(double low, double high) { return low + (high - low) * unit_(random_); }
   double sign() { return unit_(random_) < 0.5 ? -1 : 1; }
 
-  /** Any magnitude between two, each decade as likely as the next. */
+  /** A magnitude between two limits, uniform in its logarithm. */
   double magnitude(double least, double most) { return std::exp(uniform(std::log(least), std::log(most))); }
 
   Eigen::Quaterniond attitude() {
     return Eigen::Quaterniond(normal_(random_), normal_(random_), normal_(random_), normal_(random_)).normalized();
   }
 
-  /** μ₁ < μ₂ < μ₃ of a real body, none two nearer than a tenth. */
+  /** μ₁ < μ₂ < μ₃ of a real body, no two nearer than a tenth. */
   Eigen::Vector3d moments() {
     const double low = uniform(0.5, 1), middle = low * uniform(1.1, 1.5);
     return {low, middle, uniform(1.1 * middle, low + middle)};
@@ -42,7 +42,7 @@ double separatrixSlope(const Eigen::Vector3d& m) {
   return std::sqrt(m[0] * (m[1] - m[0]) / (m[2] * (m[2] - m[1])));
 }
 
-/** On the separatrix but for a relative `distance` of Ω₃, on either side. */
+/** Beside the separatrix, by a relative `distance` of Ω₃, on either side. */
 Start nearSeparatrix(Draws& draws, double distance) {
   const Eigen::Vector3d m = draws.moments();
   const double first = draws.sign() * draws.uniform(0.1, 1);
@@ -62,7 +62,7 @@ Start general(Draws& draws) {
   return {m, draws.attitude(), farFromSeparatrix(draws, m)};
 }
 
-/** Exactly on it: with these moments that is |Ω₁| = |Ω₃|. */
+/** Exactly on the separatrix, which with these moments is |Ω₁| = |Ω₃|. */
 Start atSeparatrix(Draws& draws) {
   const double size = draws.uniform(0.1, 1), scale = draws.magnitude(0.1, 10);
   return {scale * Eigen::Vector3d(2, 5, 6),
@@ -81,7 +81,7 @@ Start symmetric(Draws& draws) {
   return {{pair, pair, single}, draws.attitude(), {draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1)}};
 }
 
-/** A spin about a principal axis or, one time in four, of a sphere. */
+/** A spin about a principal axis or, in one of four cases, of a sphere. */
 Start steady(Draws& draws) {
   const int axis = static_cast<int>(draws.uniform(0, 4));
   if (axis == 3) return {{2, 2, 2}, draws.attitude(), {draws.uniform(-1, 1), draws.uniform(-1, 1), 1}};

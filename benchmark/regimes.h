@@ -14,14 +14,14 @@ struct Start {
   Eigen::Vector3d omega;  ///< rad/s
 };
 
-/** A kind of motion that may cost more or less than others. Its starts are the same in every run. */
+/** A kind of motion that may have a cost of its own. Its starts are the same in every run. */
 struct Regime {
   std::string name;
   std::vector<Start> starts;  ///< the first stands for the regime where one body is enough
   std::vector<double> times;  ///< s, of either sign, in no order
 };
 
-/** All of them; the first is "general". */
+/** All regimes; the first is "general". */
 const std::vector<Regime>& regimes();
 
 /** The regime of that name; it must exist. */

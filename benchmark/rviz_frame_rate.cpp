@@ -1,5 +1,5 @@
-// How many pictures a second RViz draws of a view, beside an RViz that shows nothing in a picture of the same size.
-// Usage: rviz_frame_rate VIEW.rviz [--seconds S] [--rounds N] [--rate HZ] [--disable-anti-aliasing]
+// Counts the pictures a second that RViz draws of a view, beside an RViz that shows nothing in a picture of the same
+// size. Usage: rviz_frame_rate VIEW.rviz [--seconds S] [--rounds N] [--rate HZ] [--disable-anti-aliasing]
 #include <OgreFrameListener.h>
 #include <OgreRoot.h>
 #include <ros/ros.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kSettling = 5;  // s, until all has arrived and been drawn once
 
-/** What `rviz` shows without any display; no panel either. */
+/** An RViz without displays and panels. */
 constexpr const char* kNothing = R"(Panels: []
 Visualization Manager:
   Displays: []
@@ -74,7 +74,7 @@ class Stage {
     frame_.getManager()->getRootDisplayGroup()->subProp("Global Options")->subProp("Frame Rate")->setValue(rate_);
   }
 
-  /** Makes the picture, not the window, this large. */
+  /** Sets the size of the picture, not of the window. */
   void fit(const QSize& size) {
     for (int i = 0; i < 3 && picture() != size; ++i) {
       frame_.resize(frame_.size() + size - picture());

@@ -24,7 +24,8 @@ struct Body {
   std::vector<ClosedForm> places;  ///< the motion as it goes on from eight places of the orbit
 };
 
-/** Real bodies in any order, |Ω| = 1: two thirds tumbling, one third a millionth off an axis. */
+/** Random real bodies with axes in any order and |Ω| = 1: two thirds tumble, one third spins a millionth off an axis.
+ */
 std::vector<Body> drawBodies() {
   Draws draws;
   std::vector<Body> bodies;
@@ -44,7 +45,8 @@ std::vector<Body> drawBodies() {
   return bodies;
 }
 
-/** Greatest error of the attitude [rad] over `steps` steps, from all places; π where the state is lost. */
+/** The greatest error of the attitude [rad] in `steps` steps, from eight places of the orbit; π if there is no state.
+ */
 double worstError(const Stepper& stepper, const Body& body, double step, int steps) {
   double worst = 0;
   for (const ClosedForm& truth : body.places) {
@@ -78,18 +80,22 @@ struct Share {
 bool printStepLimits() {
   std::printf(
       "\n## What is refused, and rightly\n\n"
-      "90 random bodies at each step, a third of them spun a millionth of a radian off an axis. How many are let pass, "
-      "warned\n"
-      "of, refused; for those let pass and warned of the worst error in a turn (or step) from eight places of the "
-      "orbit; for\n"
-      "those refused the least error that some body showed within three turns (or 64 steps) [rad]. Tried up to "
-      "Ωh = 1e6.\n\n"
+      "90 random bodies at each step, a third of them spun a millionth of a radian off an axis. The table has the "
+      "number "
+      "of bodies\n"
+      "whose step passes, causes a warning, or is refused. For steps that pass or cause a warning, it has the worst "
+      "error "
+      "in a turn\n"
+      "(or step) from eight places of the orbit; for refused steps, the least error of any body within three turns (or "
+      "64 "
+      "steps)\n"
+      "[rad]. Tried up to Ωh = 1e6.\n\n"
       "| method | Ωh | let pass | worst in a turn | warned | worst in a turn | refused | least in three turns |\n"
       "|---|---|---|---|---|---|---|---|\n");
   const std::vector<Body> bodies = drawBodies();
   bool good = true;
   for (const Method& method : freeMethods()) {
-    double refused_from = 0, least_refused = kPi;  // the last lines of a method, all of them refusals, are one
+    double refused_from = 0, least_refused = kPi;  // steps from which all bodies are refused share one line
     const auto print = [&](const std::string& step, const std::string& cells, bool right) {
       std::printf("| %s | %s | %s%s |\n", method.name, step.c_str(), cells.c_str(), right ? "" : " **WRONG**");
       good = good && right;
@@ -117,8 +123,8 @@ bool printStepLimits() {
       const auto shown = [&](const Share& share, double value) {
         return std::to_string(share.bodies) + " | " + (share.bodies ? number("%.1g", value) : "–");
       };
-      // The places tried are not the same ones: a little more than 0.1 and 1 rad, a little less than 1 may occur.
-      // Once all were refused, no longer step is let pass.
+      // judgeStep() tries other places of the orbit, so errors may be a little above its 0.1 and 1 rad, or below 1 rad.
+      // Once a step is refused for all bodies, no longer step may pass.
       const bool right = shares[0].most <= 0.2 && shares[1].most <= 1.5 && shares[2].least >= 0.5 && refused_from == 0;
       print(number("%g", step),
             shown(shares[0], shares[0].most) + " | " + shown(shares[1], shares[1].most) + " | " +

@@ -1,7 +1,7 @@
 #pragma once
 
 /**
- * How judgeStep() divides steps, over random bodies, against what then happens: a Markdown section on stdout. False
- * where a step that it lets pass is badly wrong, or one that it refuses is not.
+ * Compares the verdicts of judgeStep() on random bodies with what then happens: prints a Markdown section. False if a
+ * step that passes is badly wrong, or one that is refused is not.
  */
 bool printStepLimits();

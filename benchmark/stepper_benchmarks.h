@@ -2,7 +2,7 @@
 
 namespace poinsot::benchmarks {
 
-/** step/<method>, one step of it, for every method of the table; then step/<method>/near_separatrix. */
+/** Registers step/<method>, one step, for every method of the table, and step/<method>/near_separatrix. */
 void addSteppers();
 
 }  // namespace poinsot::benchmarks

@@ -4,7 +4,7 @@ Carlson's duplication. For comparison only; doc/closed_form.md says where it fai
 """
 import math
 
-NONE = None  # what a start without an answer gets: the separatrix, or what roundoff takes for it
+NONE = None  # no answer: for the separatrix, or a start that roundoff moves onto it
 
 
 def carlson_f(x, y, z):
@@ -74,7 +74,7 @@ def jacobi(u, m):
 
 
 def frame(M):
-    """Rows: across the third axis and M, across that and M, along M."""
+    """A matrix of three rows: perpendicular to the third axis and M; perpendicular to that and M; along M."""
     length = math.sqrt(sum(x * x for x in M))
     u = [x / length for x in M]
     across = math.hypot(u[0], u[1])

@@ -1,10 +1,10 @@
 /**
  * What accuracy costs under torques: CPU time of Poinsot's methods and of Boost.odeint's steppers for one motion to
- * T = 100 s, set-up included, at equal error, in one run. A markdown table on stdout; exit 1 when the cheapest of
- * Poinsot's methods costs more than the cheapest of odeint's somewhere.
+ * T = 100 s, set-up included, at equal error, in one run. Prints a Markdown table; exit 1 if in some line the cheapest
+ * of Poinsot's methods costs more than the cheapest of odeint's.
  *
- * The error is the worst of four end times, of the attitude [rad] and, relative to |Omega|, of Omega. The truth is
- * Fehlberg's 7(8) in long double at a small step, which is odeint's: neither is judged by itself.
+ * The error is the worst of four end times, of the attitude [rad] and of Omega, relative to |Omega|. The truth is
+ * odeint's Fehlberg 7(8) in long double at a small step, so no method is judged by itself.
  */
 #include <Eigen/Core>
 #include <algorithm>
@@ -36,7 +36,7 @@ constexpr double kNoLonger = 4;
 template <class Number>
 using State = std::array<Number, 7>;  // w x y z, Omega
 
-/** The right-hand side as a user would write it for this torque and no other. */
+/** The right-hand side as a user would write it for this torque alone. */
 template <class Number, class Torque>
 struct System {
   std::array<Number, 3> moments;
@@ -112,7 +112,7 @@ struct Problem {
   std::vector<Effect> effects;
 };
 
-/** A way to solve it, with one knob. */
+/** A solver with one setting. */
 struct Contestant {
   std::string name;
   std::vector<double> knobs;  ///< from coarse to fine
@@ -245,7 +245,7 @@ std::vector<Best> cheapest(const std::vector<Contestant>& contestants, const std
   std::vector<Best> best(std::size(kAccuracies));
   for (const Contestant& c : contestants) {
     for (const double knob : c.knobs) {
-      // A way that has become this much more expensive than another does not win from here on.
+      // A solver that has become this much more expensive than another does not win at higher accuracies.
       const double begin = poinsot::cost::threadCpuTime();
       double error = errorOf(c.run(knob, kEnds[0]), truth[0]);
       if (poinsot::cost::threadCpuTime() - begin > kNoLonger * best.back().seconds) break;
@@ -253,7 +253,7 @@ std::vector<Best> cheapest(const std::vector<Contestant>& contestants, const std
         error = std::max(error, errorOf(c.run(knob, kEnds[k]), truth[k]));
       }
       if (error > kAccuracies[0]) continue;
-      // A shorter step may be cheaper: one that is too long for the motion is cut into parts, and tried in vain first.
+      // A shorter step may be cheaper: a step that is too long is first tried in vain and then cut into parts.
       const double seconds = secondsOf(c, knob);
       for (std::size_t k = 0; k < best.size() && error <= kAccuracies[k]; ++k) {
         if (seconds < best[k].seconds) best[k] = {c.name, seconds};

@@ -1,6 +1,6 @@
-# poinsot_join(TARGET FILE...): the compiler reads these files of the target as one. They share their headers, which is
-# what it spends most of its time on. Off with -DPOINSOT_JOIN_FILES=OFF: each file must also compile by itself.
-option(POINSOT_JOIN_FILES "Compile files that share their headers together: far less work for the compiler" ON)
+# poinsot_join(TARGET FILE...): the compiler reads these files of the target as one. They share their headers, on which it
+# spends most of its time. -DPOINSOT_JOIN_FILES=OFF switches this off; each file must also compile by itself.
+option(POINSOT_JOIN_FILES "Compile files that share their headers together, which saves the compiler much work" ON)
 
 function(poinsot_join target)
   if(NOT TARGET ${target} OR NOT POINSOT_JOIN_FILES OR CMAKE_VERSION VERSION_LESS 3.18)  # 3.18: groups of files

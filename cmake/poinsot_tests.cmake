@@ -4,21 +4,21 @@
 #                 [DIRECTORIES DIRECTORY...] [ALONE])
 #     A test program of Google Test that needs no ROS graph.
 #   poinsot_rostest(FILE TIER quick|long [DEPENDS TARGET...] [ARGS NAME:=VALUE...] [ALONE | ALL_CORES])
-#     A rostest file. Its master and, where it has one, its display are its own.
+#     A rostest file. It has its own master and, if it needs one, its own display.
 #   poinsot_launch_files(DIRECTORY TIER quick|long [DEPENDS TARGET...])
-#     The test launch_files: roslaunch can read the launch files of a directory, and finds what they need.
+#     The test launch_files: roslaunch can read the launch files of a directory and finds what they need.
 #   poinsot_script(NAME TIER quick|long [ALONE | ALL_CORES] [IN_DEVEL] [STAGE NAME] COMMAND PROGRAM [ARGUMENT...]
 #                  [DEPENDS TARGET...])
-#     A program that prints a line "PASS  words" or "FAIL  words" for each check and, last, "N passed, M failed".
+#     A program that prints a line "PASS  words" or "FAIL  words" for each check and ends with "N passed, M failed".
 #     IN_DEVEL: it runs in the environment of the devel space.
 #
-# TIER: quick is what scripts/test.sh runs, long what it adds with --all. DEPENDS: what has to be built besides the test.
-# ALONE: it measures time, or takes something that there is once, so nothing else runs meanwhile. ALL_CORES: it keeps
-# all cores busy by itself. Each test NAME has a target needs_NAME, which builds what the test needs and no more.
+# TIER: scripts/test.sh runs the quick tests; --all adds the long ones. DEPENDS: what has to be built besides the test.
+# ALONE: the test measures time, or uses something of which there is only one, so nothing else runs meanwhile. ALL_CORES: it
+# keeps all cores busy by itself. Each test NAME has a target needs_NAME, which builds just what the test needs.
 
-# How CTest shares a machine out: a test that computes takes one core, two that mostly wait share one.
+# How CTest divides the machine: a test that computes takes one core, two that mostly wait share one.
 set(POINSOT_SLOTS_A_CORE 2)
-# Far longer than any test takes beside others: it ends what hangs.
+# s; far longer than any test takes beside others: ends a test that hangs.
 set(POINSOT_TEST_TIMEOUT 1500)
 
 # Usual durations, so that CTest begins with the longest tests.
@@ -34,10 +34,10 @@ function(poinsot_register name ctest_name)
     message(FATAL_ERROR "test ${name}: unexpected ${arg_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT TEST ${ctest_name})
-    return()  # catkin registers none where testing is off
+    return()  # catkin registers no tests if testing is off
   endif()
   if(arg_ALL_CORES)
-    set(arg_SLOTS 64)  # CTest takes that for all there are
+    set(arg_SLOTS 64)  # which CTest limits to the slots that there are
   endif()
   set_tests_properties(${ctest_name} PROPERTIES LABELS "${arg_TIER};${arg_STAGE}" PROCESSORS ${arg_SLOTS}
     RUN_SERIAL ${arg_ALONE} TIMEOUT ${POINSOT_TEST_TIMEOUT})
@@ -77,7 +77,7 @@ function(poinsot_gtest name)
     SLOTS ${POINSOT_SLOTS_A_CORE} DEPENDS ${name} ${alone} ${arg_UNPARSED_ARGUMENTS})
 endfunction()
 
-# What add_rostest() of rostest does, for paths with a blank in them too.
+# Like add_rostest() of rostest, but also for paths with a blank.
 function(poinsot_rostest file)
   cmake_parse_arguments(arg "" "TIER" "ARGS;DEPENDS" ${ARGN})
   get_filename_component(path ${file} ABSOLUTE)
@@ -95,7 +95,7 @@ function(poinsot_rostest file)
     SLOTS 1 DEPENDS ${arg_DEPENDS} ${arg_UNPARSED_ARGUMENTS})
 endfunction()
 
-# What roslaunch_add_file_check() of roslaunch does; with a blank in the path that makes a directory outside the package.
+# Like roslaunch_add_file_check() of roslaunch, which makes a directory outside the package if the path has a blank.
 function(poinsot_launch_files directory)
   cmake_parse_arguments(arg "" "TIER" "DEPENDS" ${ARGN})
   set(result roslaunch-check_${directory}.xml)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds programs into build/devel/lib/poinsot, with what they need installed.
+# Installs what is needed and builds programs into build/devel/lib/poinsot.
 #
 # Usage: scripts/build.sh [TARGET ...]
 #   TARGET  a program, such as simulate; default: all programs and the panel, without tests and benchmarks
@@ -7,7 +7,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in
   -h | --help) usage; exit 0 ;;
-  -*) bad_use "build.sh: unknown option '$1'; expected names of programs" ;;
+  -*) bad_use "build.sh: expected names of programs, got the option '$1'" ;;
 esac
 
 "$root/scripts/setup.sh"

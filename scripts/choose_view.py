@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Copies a .rviz file with a saved view as the current one: choose_view.py IN OUT NAME [WxH].
+"""Copies a .rviz file and makes a saved view the current one: choose_view.py IN OUT NAME [WxH].
 
-With a size the window has that, and if it is a wide one the overview comes as near as make_views.py found that it may.
-Exit: 0; 2 when there is no such view, with the list on stderr.
+With a size, the window gets that size; in a wide window, the overview comes as near as make_views.py allows.
+Exit: 0; 2 when there is no such view; stderr lists the views.
 """
 import re
 import sys
@@ -21,12 +21,12 @@ def main():
     views = config["Visualization Manager"]["Views"]
     saved = {view["Name"]: view for view in views["Saved"] or []}
     if name not in saved:
-        print("there is no view %s; there are: %s" % (name, ", ".join(saved)), file=sys.stderr)
+        print("--view: expected one of %s, got %s" % (", ".join(saved), name), file=sys.stderr)
         return 2
     views["Current"] = dict(saved[name], Name="Current View")
     for panel in config["Panels"]:
         if panel["Class"] == "poinsot/Panel":
-            panel["View"] = name  # what the view leaves out
+            panel["View"] = name  # by which the panel knows what to hide
     nearer = re.search(r"Distance may be ([0-9]+\.[0-9]+)", text)
     if len(sys.argv) == 5:
         width, height = (int(x) for x in sys.argv[4].split("x"))

@@ -1,55 +1,55 @@
 # shellcheck shell=bash
-# Sourced by the other scripts: where things are, and a shell in which Debian's ROS works.
+# Sourced by the other scripts: paths, common functions, and an environment in which Debian's ROS works.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
-# ROS's Python modules are Debian's: another python3 first in PATH would not find them.
+# ROS's Python modules are those of Debian: another python3 first in PATH would not find them.
 export PATH=/usr/bin:/bin:$PATH
 unset PYTHONHOME PYTHONPATH
 export PYTHONNOUSERSITE=1
 
-# Noted before any setup.bash sets defaults: has the user said where the ROS graph is?
+# Whether the user has set the ROS graph, noted before any setup.bash sets defaults.
 user_graph=${ROS_MASTER_URI:-}${ROS_IP:-}${ROS_HOSTNAME:-}
-[ "$user_graph" != http://localhost:11311 ] || user_graph=  # such a default, sourced by the user
+[ "$user_graph" != http://localhost:11311 ] || user_graph=  # this is such a default, from a setup.bash that the user sourced
 
-# stay_on_loopback PORT: keeps the ROS graph on this machine, its master on that port.
+# stay_on_loopback PORT: keeps the ROS graph on this machine, with the master on that port.
 stay_on_loopback() {
   unset ROS_HOSTNAME
   export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:$1
 }
 
-# usage: the comment at the head of the script.
+# usage: prints the comment at the head of the script.
 usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"; }
 
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 bad_use() { printf '%s\n' "$*" >&2; exit 2; }
 
-# scene_names: what scenes/ holds, one a line.
+# scene_names: prints the names of the scenes in scenes/, one a line.
 scene_names() { (cd "$root/scenes" && printf '%s\n' *.yaml | sed 's|\.yaml$||'); }
 
-# use_ccache: lets ccache, where it is installed, know a source file again in another copy of the package.
+# use_ccache ROOT: lets ccache, if it is installed, recognise a source file in another copy of the package.
 use_ccache() {
   command -v ccache > /dev/null || return 0
-  CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}  # stays when a test changes HOME
+  CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}  # kept when a test changes HOME
   export CCACHE_DIR CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
 }
 
-# logged COMMAND...: its output goes to build/build.log, and is shown where it fails.
+# logged COMMAND...: writes the output of the command to build/build.log, and shows it if the command fails.
 logged() {
   local log=$build/build.log
   if ! "$@" > "$log" 2>&1; then
     grep -nE -A4 'error|Error' "$log" | head -60 >&2 || true
     tail -n 20 "$log" >&2
-    fail "the build failed; all of its output is in $log"
+    fail "the build failed; its output is in $log"
   fi
 }
 
-# configure_package [-DOPTION=VALUE ...]: Release unless the build directory or an option says otherwise. A new build
-# directory is without tests and benchmarks, which need more packages, unless an option asks for them; where CI is set, a
-# warning ends its builds.
+# configure_package [-DOPTION=VALUE ...]: configures a Release build, unless the build directory or an option says otherwise.
+# A new build directory has no tests and benchmarks, which need more packages, unless an option asks for them. If CI is set,
+# warnings are errors.
 configure_package() {
   local options=(-DPYTHON_EXECUTABLE=/usr/bin/python3)
   mkdir -p "$build"
@@ -62,7 +62,7 @@ configure_package() {
   logged cmake -S "$root" -B "$build" "${options[@]}" "$@"
 }
 
-# build_package [-DOPTION=VALUE ...] TARGET ...: configures and builds.
+# build_package [-DOPTION=VALUE ...] TARGET ...: configures and builds these targets.
 build_package() {
   local options=()
   while [[ ${1:-} == -D* ]]; do
@@ -71,7 +71,7 @@ build_package() {
   done
   configure_package "${options[@]}"
   logged cmake --build "$build" --parallel "$(nproc)" --target "$@"
-  # rosrun finds no program below a package's own build/, but follows links.
+  # rosrun finds no program below the build/ of a package, but follows links.
   ln -sfn build/devel/lib/poinsot "$root/bin"
 }
 
@@ -83,15 +83,15 @@ enter_devel() {
   set -u
 }
 
-# free_port: a TCP port on loopback that nobody listens on.
+# free_port: prints a TCP port on loopback on which nobody listens.
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
-# port_taken PORT: does somebody listen there, on loopback?
+# port_taken PORT: whether somebody listens on that port on loopback.
 port_taken() { (exec 3<> "/dev/tcp/127.0.0.1/$1") 2> /dev/null; }
 
-# await_rviz LAUNCH_PID: until RViz is up, that is, listens to what moves. 1: the launch has ended; 2: a minute has gone by.
+# await_rviz LAUNCH_PID: waits until RViz subscribes to markers. Returns 1 if the launch has ended, 2 after a minute.
 await_rviz() {
   for _ in $(seq 120); do
     kill -0 "$1" 2> /dev/null || return 1
@@ -101,10 +101,10 @@ await_rviz() {
   return 2
 }
 
-# start_core LOG: a ROS master on loopback that answers; sets core_pid.
+# start_core LOG: starts a ROS master on loopback and waits until it answers; sets core_pid.
 start_core() {
   local deadline
-  for _ in 1 2 3 4 5; do  # somebody else may take the port between the search for it and roscore
+  for _ in 1 2 3 4 5; do  # another program may take the port before roscore does
     stay_on_loopback "$(free_port)"
     roscore -p "${ROS_MASTER_URI##*:}" > "$1" 2>&1 &
     core_pid=$!
@@ -119,7 +119,7 @@ start_core() {
   fail "roscore does not start"
 }
 
-# start_graph: a ROS graph and a ROS_HOME of its own; what is added to `pids` ends with the script.
+# start_graph: starts a ROS graph with a ROS_HOME of its own; processes in `pids` end with the script.
 start_graph() {
   ROS_HOME=$(mktemp -d)
   export ROS_HOME
@@ -129,7 +129,7 @@ start_graph() {
   pids+=("$core_pid")
 }
 
-# start_display: a virtual screen that software OpenGL can draw on; sets DISPLAY and display_pid.
+# start_display [WxH]: starts a virtual screen on which software OpenGL can draw; sets DISPLAY and display_pid.
 start_display() {
   local number
   number=$(mktemp)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Pictures of compare.launch at several times, on a virtual display, and one sheet of them all.
+# Takes pictures of compare.launch at several times, on a virtual display, and makes one sheet of them.
 #
 # Usage: scripts/compare.sh [--mode equal_cost|equal_step] [--out FILE.png]
-#   --out FILE.png   the sheet (default: build/compare.png); the single pictures lie beside it, FILE_t<s>.png
+#   --out FILE.png   the sheet (default: build/compare.png); the single pictures are beside it, FILE_t<s>.png
 #
-# Plays three times as fast as life. Exit: 0; 1 when something failed; 2 for bad use.
+# Plays at three times real time. Exit: 0; 1 when something failed; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 mode=equal_cost out=$build/compare.png times=(3 30 60 90)
@@ -22,8 +22,8 @@ while [ $# -gt 0 ]; do
     *) bad_use "compare.sh: unknown option '$1'; see compare.sh --help" ;;
   esac
 done
-case "$mode" in equal_cost | equal_step) ;; *) bad_use "compare.sh: --mode $mode is not equal_cost or equal_step" ;; esac
-[[ $out == *.png ]] || bad_use "compare.sh: --out $out does not end with .png"
+case "$mode" in equal_cost | equal_step) ;; *) bad_use "compare.sh: --mode: expected equal_cost or equal_step, got '$mode'" ;; esac
+[[ $out == *.png ]] || bad_use "compare.sh: --out: expected a file that ends with .png, got '$out'"
 { mkdir -p "$(dirname "$out")" && [ -w "$(dirname "$out")" ]; } 2> /dev/null || bad_use "compare.sh: cannot write $out"
 
 "$root/scripts/setup.sh" --pictures
@@ -50,12 +50,12 @@ died() { tail -n 20 "$log" >&2; launch_pid=; fail "compare.sh: the launch ended 
 up=0
 await_rviz "$launch_pid" || up=$?
 [ $up -ne 1 ] || died
-[ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not come up; its output is in $log"; }
+[ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not start; its output is in $log"; }
 sleep 3
 rostopic pub -1 /poinsot/speed std_msgs/Float64 -- "$speed" > "$work/pub" 2>&1 &
 rosservice call /poinsot/reset > "$work/reset"
 
-# now: the simulation time [s].
+# now: prints the simulation time [s].
 now() { timeout 10 rostopic echo -n 1 /closed_form/state/time 2> /dev/null | head -n 1; }
 sheet=()
 for t in "${times[@]}"; do

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Builds what is missing and shows a scene in RViz.
+# Installs and builds what is missing, and shows a scene in RViz.
 #
 # Usage: scripts/demo.sh [--headless] [--scene NAME] [--duration S] [--screenshot FILE]
-#   --headless         RViz on a virtual screen; taken where there is no DISPLAY
+#   --headless         RViz on a virtual screen; the default if there is no DISPLAY
 #   --scene NAME       a scene of scenes/, or the path of a scene file (default: dzhanibekov)
-#   --duration S       ends S seconds after RViz has come up (default: when RViz is closed; headless: 15)
-#   --screenshot FILE  writes RViz's picture there, as PNG, at the end (headless default: build/demo.png)
+#   --duration S       ends S seconds after RViz has started (default: when RViz is closed; headless: 15)
+#   --screenshot FILE  writes RViz's picture there as PNG, at the end (headless default: build/demo.png)
 #
-# Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene.
+# Exit: 0; 1 when something failed; 2 for bad use or a bad scene.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 headless=no scene=dzhanibekov duration='' screenshot=''
@@ -26,12 +26,13 @@ while [ $# -gt 0 ]; do
     *) bad_use "demo.sh: unknown option '$1'; see demo.sh --help" ;;
   esac
 done
-[[ $duration =~ ^([0-9]+(\.[0-9]*)?)?$ ]] || bad_use "demo.sh: --duration $duration is not a positive number of seconds"
-[ -z "$duration" ] || awk "BEGIN {exit !($duration > 0)}" || bad_use "demo.sh: --duration must be positive"
+bad_duration() { bad_use "demo.sh: --duration: expected a positive number of seconds, got '$duration'"; }
+[[ $duration =~ ^([0-9]+(\.[0-9]*)?)?$ ]] || bad_duration
+[ -z "$duration" ] || awk "BEGIN {exit !($duration > 0)}" || bad_duration
 if [ -n "$screenshot" ]; then
   screenshot=$(realpath -m -- "$screenshot")
   { [ -d "$(dirname "$screenshot")" ] && [ -w "$(dirname "$screenshot")" ] && [ ! -d "$screenshot" ]; } ||
-    bad_use "demo.sh: cannot write $screenshot"
+    bad_use "demo.sh: --screenshot: cannot write $screenshot"
 fi
 [ -n "${DISPLAY:-}" ] || headless=yes
 
@@ -39,7 +40,7 @@ case "$scene" in
   */* | *.yaml) file=$(realpath -m -- "$scene") what=scene_file:=$file ;;
   *) file=$root/scenes/$scene.yaml what=scene:=$scene ;;
 esac
-[ -f "$file" ] || bad_use "demo.sh: there is no scene $scene; there are: $(scene_names | paste -sd' ')"
+[ -f "$file" ] || bad_use "demo.sh: --scene: expected a scene file or one of $(scene_names | paste -sd' '), got '$scene'"
 
 packages=()
 if [ $headless = yes ] || [ -n "$screenshot" ]; then packages=(--pictures); fi
@@ -54,7 +55,7 @@ if [ -z "$user_graph" ]; then
   port=11311
   if [ $headless = yes ]; then
     port=$(free_port)
-  elif port_taken $port; then  # by another demo: of two nodes of a name ROS ends the first
+  elif port_taken $port; then  # by another demo: of two nodes with one name, ROS ends the first
     port=$(free_port) log=$build/demo-$port.log
     say "port 11311 is taken: the ROS master of this demo is at http://127.0.0.1:$port"
   fi
@@ -71,7 +72,7 @@ finish() {
   rm -f "$partial"
 }
 trap finish EXIT
-# Ctrl-C is how one ends a demo that was given no end.
+# Ctrl-C is the usual way to end a demo that has no duration.
 if [ -z "$duration$screenshot" ] && [ $headless = no ]; then trap 'exit 0' INT; else trap 'exit 130' INT; fi
 trap 'exit 143' TERM
 
@@ -83,12 +84,12 @@ if [ $headless = yes ]; then
   screenshot=${screenshot:-$build/demo.png}
 fi
 
-# Without a graphics device it is anti-aliasing that RViz spends its time on. Pictures are taken with it all the same.
+# Without a graphics device, RViz spends most of its time on anti-aliasing. Pictures are taken with it all the same.
 drawn_by_software() {
   [ -n "${LIBGL_ALWAYS_SOFTWARE:-}" ] || ! { compgen -G '/dev/dri/*' || compgen -G '/dev/nvidia[0-9]*'; } > /dev/null
 }
 if [ $headless = no ] && [ -z "$screenshot" ] && drawn_by_software; then
-  echo "no graphics device: RViz draws by software, and without anti-aliasing"
+  echo "no graphics device: RViz draws by software, without anti-aliasing"
   rviz_args=--disable-anti-aliasing
 fi
 

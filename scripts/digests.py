@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Prints digests of what a build writes for every scene, so that two builds can be compared: `diff` of two outputs names
-the scenes and topics that differ.
+"""Prints digests of what a build writes for every scene, so that two builds can be compared: the `diff` of two outputs
+shows the scenes and topics that differ.
 
 Usage: digests.py BUILD [--duration S] [SCENE ...]
 
 BUILD holds devel/lib/poinsot/simulate. For each scene of scenes/ (or those named): the SHA-256 of `simulate --csv`, and for
-each topic of `simulate --bag` the number of messages and the SHA-256 of their stamps and bytes, one line each. Not part of
-the digests: the texts of labels, DELETEALL markers, and the DELETE markers in the first message of a topic, which say how
-something is said and what others may have left is cleared, not what is shown.
+each topic of `simulate --bag` the number of messages and the SHA-256 of their stamps and bytes, one line each. The digests
+leave out the texts of labels, DELETEALL markers, and the DELETE markers in the first message of a topic, because these do
+not change what is shown.
 Exit: 0, 1 when simulate fails, 2 for bad use.
 """
 import argparse

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes the reference of the public headers as web pages: build/doc/html/index.html.
+# Makes the reference of the public headers as web pages, build/doc/html/index.html.
 #
 # Usage: scripts/docs.sh
 #
-# Fails, and prints what Doxygen says, when a name has no comment, when a comment names a parameter that does not exist
-# or leaves one out, and the like (doc/Doxyfile). Exit: 0 when there is nothing to say, 1 otherwise, 2 for bad use.
+# Fails and prints the warnings of Doxygen when, for example, a name has no comment, or a comment names a parameter that
+# does not exist or leaves one out (doc/Doxyfile). Exit: 0 without warnings, 1 otherwise, 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Has a running, paused node go on frame by frame, and writes what the screen shows of each to stdout, as raw video.
+"""Advances a running, paused node frame by frame, and writes the screen of each frame to stdout, as raw video.
 
 Usage: film.py WIDTH HEIGHT FRAMES SKIPPED FROM STEPS    (of the screen DISPLAY; film.sh calls it)
 
-From frame to frame there are STEPS calls of ~step: films are even however slowly RViz draws. A frame is taken when the
-screen has changed and then kept still. SKIPPED frames come first, from FROM seconds on, so that the trail is there.
+From frame to frame there are STEPS calls of ~step, so films are even if RViz draws slowly. A frame is taken when the
+screen has changed and then stayed the same. It begins SKIPPED frames before the film, at FROM seconds, so that the trail
+exists when the film begins.
 """
 import os
 import subprocess
@@ -17,14 +18,14 @@ from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
 GRABS = 16  # a second
-STILL = 4  # grabs in a row: RViz takes tf and markers up in different frames of its own
-LEAST = 0.4  # of the usual change from frame to frame: less is a straggler of the step before
-PATIENCE = 1.5  # s, beyond a frame's own time: nothing may be going to change
-LONGEST = 5.0  # s: it may never keep still
+STILL = 4  # equal grabs in a row: RViz may show new tf and new markers in different frames
+LEAST = 0.4  # of the usual change from frame to frame: less is a late change of the step before
+PATIENCE = 1.5  # s, beyond the time of a frame: then it is taken that nothing changes
+LONGEST = 5.0  # s: the screen may never stay the same
 
 
 def difference(a, b):
-    """Mean difference of some of the bytes; of two pictures that differ at all more than 0."""
+    """Mean difference of some of the bytes; more than 0 if the pictures differ at all."""
     if a == b:
         return 0
     if len(a) != len(b):
@@ -46,11 +47,11 @@ class Screen:
     def grab(self):
         picture = self.grabber.stdout.read(self.size)
         if len(picture) != self.size:
-            raise RuntimeError("the screen cannot be read any more")
+            raise RuntimeError("the screen can no longer be read")
         return picture
 
     def settled(self, before):
-        """The next picture that is as unlike `before` as pictures usually are, and stays."""
+        """The next picture that differs from `before` as much as usual and does not change any more."""
         begin, still, last = time.monotonic(), 0, None
         usual = sorted(self.changes[-15:])[len(self.changes[-15:]) // 2] if self.changes else 0
         while True:
@@ -86,7 +87,7 @@ def main():
     def go_on():
         for _ in range(steps):
             if not step().success:
-                raise RuntimeError("the node refuses a step")
+                raise RuntimeError("the node refused a step")
 
     seek = rospy.Publisher("/poinsot/seek", Float64, queue_size=1)
     while not seek.get_num_connections():

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
-# Films a scene in RViz, full screen, on a virtual display: SCENE.mp4 and a moving picture of it, SCENE.webp (or .gif).
+# Films a scene in RViz, full screen, on a virtual display; writes SCENE.mp4 and a moving picture, SCENE.webp (or .gif).
 #
 # Usage: scripts/film.sh SCENE [--out DIR] [--seconds S] [--from T] [--speed R] [--view NAME] [--size WxH] [--fps N]
 #                        [--picture webp|gif|none] [--picture-width W]
 #   SCENE              a scene of scenes/, or the path of a scene file
-#   --out DIR          where the films go (default: build/films)
-#   --seconds S        how long the film is (default: 10)
-#   --from T           simulation time at which it begins [s] (default: 0)
-#   --speed R          simulated seconds in a second of film (default: 1)
+#   --out DIR          the directory for the films (default: build/films)
+#   --seconds S        length of the film (default: 10)
+#   --from T           simulation time at the beginning [s] (default: 0)
+#   --speed R          simulated seconds per second of film (default: 1)
 #   --view NAME        a saved view of the scene's .rviz file (default: Overview; others: Riding, Along L)
-#   --size WxH         of the mp4, even numbers (default: 1280x720)
+#   --size WxH         size of the mp4 in even numbers (default: 1280x720)
 #   --fps N            frames a second (default: 25)
-#   --picture KIND     of the moving picture beside it (default: webp)
-#   --picture-width W  how wide that is (default: 800)
+#   --picture KIND     kind of the moving picture beside it (default: webp)
+#   --picture-width W  width of the moving picture (default: 800)
 #
-# From frame to frame the paused node goes on by steps, so a film is even however slow the machine is. One of 10 s takes two
-# minutes or some, with software OpenGL.
-# Exit: 0 all went well, 1 something failed, 2 bad use or a bad scene. A film that fails leaves nothing.
+# From frame to frame the paused node advances by steps, so a film is even on a slow machine. With software OpenGL, a film of
+# 10 s takes about two minutes.
+# Exit: 0; 1 when something failed; 2 for bad use or a bad scene. A film that fails leaves no files.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene='' out=$root/build/films seconds=10 from=0 speed=1 view=Overview size=1280x720 fps=25 picture=webp picture_width=800
@@ -38,30 +38,30 @@ while [ $# -gt 0 ]; do
       shift 2 ;;
     -h | --help) usage; exit 0 ;;
     -*) bad_use "film.sh: unknown option '$1'; see film.sh --help" ;;
-    *) [ -z "$scene" ] || bad_use "film.sh: one scene at a time, not $scene and $1"; scene=$1; shift ;;
+    *) [ -z "$scene" ] || bad_use "film.sh: expected one scene, got '$scene' and '$1'"; scene=$1; shift ;;
   esac
 done
-[ -n "$scene" ] || bad_use "film.sh: which scene? There are: $(scene_names | paste -sd' ')"
-# positive WHAT VALUE
+[ -n "$scene" ] || bad_use "film.sh: expected a scene file or one of $(scene_names | paste -sd' '), got none"
+# positive OPTION VALUE: refuses a value that is not a positive number below 10000.
 positive() {
   { [[ $2 =~ ^[0-9]*\.?[0-9]+$ ]] && awk "BEGIN {exit !($2 > 0 && $2 < 1e4)}"; } ||
-    bad_use "film.sh: $1 $2 is not a positive number below 10000"
+    bad_use "film.sh: $1: expected a positive number below 10000, got '$2'"
 }
 positive --seconds "$seconds"
 positive --speed "$speed"
-[[ $fps =~ ^[1-9][0-9]?$ ]] || bad_use "film.sh: --fps $fps is not a whole number from 1 to 99"
-[[ $from =~ ^-?[0-9]*\.?[0-9]+$ ]] || bad_use "film.sh: --from $from is not a number of seconds"
+[[ $fps =~ ^[1-9][0-9]?$ ]] || bad_use "film.sh: --fps: expected a whole number from 1 to 99, got '$fps'"
+[[ $from =~ ^-?[0-9]*\.?[0-9]+$ ]] || bad_use "film.sh: --from: expected a number of seconds, got '$from'"
 [[ $size =~ ^[1-9][0-9]{1,2}[02468]x[1-9][0-9]{1,2}[02468]$|^[1-9][0-9][02468]x[1-9][0-9][02468]$ ]] ||
-  bad_use "film.sh: --size $size is not WIDTHxHEIGHT in even numbers, such as 1280x720"
-[[ $picture_width =~ ^[1-9][0-9]{1,3}$ ]] || bad_use "film.sh: --picture-width $picture_width is not a number of pixels"
-case "$picture" in webp | gif | none) ;; *) bad_use "film.sh: --picture $picture is not webp, gif or none" ;; esac
+  bad_use "film.sh: --size: expected WIDTHxHEIGHT in even numbers, such as 1280x720, got '$size'"
+[[ $picture_width =~ ^[1-9][0-9]{1,3}$ ]] || bad_use "film.sh: --picture-width: expected a number of pixels, got '$picture_width'"
+case "$picture" in webp | gif | none) ;; *) bad_use "film.sh: --picture: expected webp, gif or none, got '$picture'" ;; esac
 case "$scene" in
   */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) config=$root/rviz/demo.rviz ;;
   *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/$scene.rviz ;;
 esac
-[ -f "$file" ] || bad_use "film.sh: there is no scene $scene; there are: $(scene_names | paste -sd' ')"
+[ -f "$file" ] || bad_use "film.sh: expected a scene file or one of $(scene_names | paste -sd' '), got '$scene'"
 out=$(realpath -m -- "$out")
-{ mkdir -p "$out" && [ -w "$out" ]; } 2> /dev/null || bad_use "film.sh: cannot write into $out"
+{ mkdir -p "$out" && [ -w "$out" ]; } 2> /dev/null || bad_use "film.sh: --out: cannot write into $out"
 
 work=$(mktemp -d) core_pid='' launch_pid='' display_pid='' log=$root/build/film.log
 finish() {
@@ -87,7 +87,7 @@ mkdir -p "$(dirname "$log")" && : > "$log"
 say "filming $name, $seconds s"
 start_display "$size"
 start_core "$work/core.log"
-# Of a fast film a frame is several steps of the node, so that trails and paths are as fine as they are while it plays.
+# In a fast film, a frame is several steps of the node, so that trails and paths are as fine as in real time.
 steps=$(awk "BEGIN {n = 30 * $speed / $fps; printf \"%d\", n == int(n) ? n : n + 1}")
 [ "$steps" -ge 1 ] || steps=1
 rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $steps * $fps / $speed}")"
@@ -97,19 +97,19 @@ failed() { tail -n 20 "$log" >&2; fail "film.sh: $1; the output of the nodes is 
 up=0
 await_rviz "$launch_pid" || up=$?
 [ $up -ne 1 ] || failed "the launch ended early"
-[ $up -eq 0 ] || failed "RViz does not come up"
-sleep 4  # until it has drawn what it was sent
+[ $up -eq 0 ] || failed "RViz does not start"
+sleep 4  # until it has drawn the first messages
 kill -0 "$launch_pid" 2> /dev/null || failed "RViz ended while it started"
 
 frames=$(awk "BEGIN {printf \"%d\", $seconds * $fps + 0.5}")
 skipped=$(awk "BEGIN {n = 3 * $fps / $speed; printf \"%d\", n < 150 ? n : 150}")
 begin=$(awk "BEGIN {printf \"%.9g\", $from - $skipped * $speed / $fps}")
-case "$from" in 0 | 0.0) skipped=0 begin=0 ;; esac  # nothing was before
+case "$from" in 0 | 0.0) skipped=0 begin=0 ;; esac  # no trail before the start
 python3 "$root/scripts/film.py" "${size%x*}" "${size#*x}" "$frames" "$skipped" "$begin" "$steps" 2>> "$log" |
   ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size "$size" -framerate "$fps" -i pipe:0 \
     -c:v libx264 -preset slow -crf 20 -pix_fmt yuv420p -movflags +faststart "$work/film.mp4" 2>> "$log" ||
   failed "no film could be taken"
-# At the film's own rate, or a whole part of it: frames that are left out here and there would make it stumble.
+# At the rate of the film, or a whole fraction of it: frames left out irregularly would make it jerk.
 picture_fps=$fps
 for part in 2 3 4 5 6 7 8 9; do
   [ "$picture_fps" -gt 25 ] || break

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Measures every method on every hard case and writes doc/hard_cases.md.
+# Measures every method on every hard case, and writes doc/hard_cases.md.
 #
 # Usage: scripts/hard_cases.sh
 #
-# Takes a quarter of an hour: it contains runs of 1e8 steps of every method. The build directory is build/, or $POINSOT_BUILD.
-# Exit: 0; 1 when a figure breaks what is promised (the file then says where) or nothing could be measured; 2 for bad use.
+# Takes a quarter of an hour, because it runs every method for 1e8 steps. The build directory is build/, or $POINSOT_BUILD.
+# Exit: 0; 1 when a figure breaks a promise (the file then says where) or nothing could be measured; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in
   '') ;;
   -h | --help) usage; exit 0 ;;
-  *) bad_use "hard_cases.sh: unknown word '$1'; it takes none" ;;
+  *) bad_use "hard_cases.sh: expected no argument, got '$1'" ;;
 esac
 
 "$root/scripts/setup.sh" --benchmarks
@@ -23,7 +23,7 @@ work=$(mktemp -d)
 target=$root/doc/hard_cases.md
 trap 'rm -rf "$work" "$target.new"' EXIT
 
-# scene NAME METHOD STEP ΩX ΩY ΩZ: a scene file of one body.
+# scene NAME METHOD STEP ΩX ΩY ΩZ: writes a scene file of one body.
 scene() {
   cat > "$work/$1.yaml" << SCENE
 bodies:
@@ -31,7 +31,7 @@ bodies:
 SCENE
 }
 
-# show COMMAND...: what a user sees, and the exit code.
+# show COMMAND...: prints what a user sees, and the exit code.
 show() {
   local code=0
   "$@" > "$work/shown" 2>&1 || code=$?
@@ -39,13 +39,13 @@ show() {
   printf '    (exit %d)\n\n' "$code"
 }
 
-# check NAME: the node asked about a scene.
+# check NAME: asks the node about a scene.
 check() {
   printf '    $ poinsot_node --check %s.yaml\n' "$1"
   (cd "$work" && show "$programs/poinsot_node" --check "$1.yaml")
 }
 
-# row NAME METHOD STEP ΩX ΩY ΩZ: propagate asked for one row, t = 1 s.
+# row NAME METHOD STEP ΩX ΩY ΩZ: asks propagate for one row, t = 1 s.
 row() {
   printf '    $ propagate --method %s --step %s < %s.csv\n' "$2" "$3" "$1"
   printf 'id,mu1,mu2,mu3,q0w,q0x,q0y,q0z,O01,O02,O03,t\n%s,1,2,3,1,0,0,0,%s,%s,%s,1\n' "$1" "$4" "$5" "$6" > "$work/$1.csv"
@@ -57,8 +57,8 @@ programs_section() {
 
 ## What the programs say
 
-A scene whose step is refused does not start; one that is warned of starts, and says so. `propagate` does what it is asked to,
-and says of every row what the judgement is; a state that is infinite or undefined is an error, whatever the step.
+A scene whose step is refused does not start; one whose step causes a warning starts, with the warning. `propagate` computes every row
+and warns of each one that is not to be trusted; a state that is infinite or undefined is an error, whatever the step.
 
 TEXT
   scene fast lie_euler 0.016667 5720 4767 6674
@@ -73,9 +73,9 @@ head_section() {
   cat << 'TEXT'
 # Hard cases
 
-Made by `scripts/hard_cases.sh`; do not edit. Every method meets every hard case; the tests (`test_hard_cases`) hold it to
-the same promises on the same cases, and to nothing less when a method is added: what it must keep follows from its row
-in the table of methods.
+Made by `scripts/hard_cases.sh`; do not edit. Every method is run on every hard case. The test `test_hard_cases` checks the
+same promises on the same cases, also for a method that is added later: what it must conserve follows from its row in the table
+of methods.
 
 TEXT
 }
@@ -86,7 +86,7 @@ bad=0
   "$programs/hard_cases" --long || bad=$?
   programs_section
 } > "$target.new"
-[ "$bad" -le 1 ] || fail "hard_cases broke off"
+[ "$bad" -le 1 ] || fail "hard_cases.sh: the program hard_cases failed"
 mv "$target.new" "$target"
 echo "written: $target"
 exit "$bad"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes scenes/hundred.yaml: a hundred free bodies, every row another box, every column another spin."""
+"""Writes scenes/hundred.yaml: a hundred free bodies, with another box in each row and another spin in each column."""
 import math
 import os
 
@@ -8,11 +8,11 @@ WIDTH, HEIGHT = 2.8, 1.6  # of a cell [m]
 RATE = 3.0  # |Omega| [rad/s]
 
 HEAD = """\
-# A hundred bodies. Every row has another box, from a stick (top) to a plate (bottom). From left to right they are spun
-# ever further from the axis of smallest moment, towards that of largest. On the left they go on as they were spun,
-# like a spear, and on the right, like a discus; in between they tumble: Omega goes round the axis of largest moment in
-# 57 of them, and round that of smallest in the others. The border between the two is at another place in each row.
-# (The view hides what stands beside a body; RViz has it in Displays, under Still and Motion.)
+# A hundred bodies. Each row has another box, from a stick (top) to a plate (bottom). From left to right they are spun
+# ever further from the axis of smallest moment, towards that of largest. Those on the left keep spinning like a spear,
+# those on the right like a discus; in between they tumble: Omega goes round the axis of largest moment in 57 of them,
+# and round that of smallest in the others. The border between the two is at another place in each row.
+# (The view hides the pictures beside the bodies; RViz has them in Displays, under Still and Motion.)
 # Numbers: ours; 3 rad/s each, Omega 5, 13.9, 22.8 ... 85 degrees from x towards z. By scripts/make_hundred.py.
 rate: 60
 bodies:

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Writes the meshes that scenes are drawn with: make_meshes.py [DIRECTORY], by default into meshes/.
+"""Writes the meshes of the scenes: make_meshes.py [DIRECTORY], by default into meshes/.
 
-Each is a COLLADA file with its own colours, in metres, in the axes of the body that it stands for: the origin is the
-centre of mass of the scene's shape. Front and back, and left and right, are told apart by their colours. The same
-files come out every time.
+Each is a COLLADA file with its own colours, in metres, in the axes of the body that it represents; the origin is the
+centre of mass of the scene's shape. Front and back, and left and right, have different colours. The output is the same
+in every run.
 """
 import math
 import os
@@ -512,7 +512,7 @@ def main():
     default = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "meshes")
     folder = sys.argv[1] if len(sys.argv) == 2 else default
     if not os.path.isdir(folder):
-        print("make_meshes.py: there is no directory %s" % folder, file=sys.stderr)
+        print("make_meshes.py: expected a directory, got %s" % folder, file=sys.stderr)
         return 2
     for name, make in sorted(BODIES.items()):
         make().write(os.path.join(folder, name + ".dae"))

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Writes RViz's views of the scenes, rviz/<scene>.rviz, and demo.rviz and compare.rviz: make_views.py [DIRECTORY].
 
-Each is scripts/view_template.rviz.in with three cameras: Overview, which holds everything that the scene's markers reach in
-its first seconds, in a window of 4 : 3 with room for the panel and on a full screen; Riding, which turns with the body;
-Along L, which looks down the angular momentum on the picture in world axes. In the latter two, which a scene of nothing
-but bodies does not have, the panel leaves out all but that picture. Where things are is asked of `simulate`, so
-this wants the package built and its devel/setup.bash sourced. The same files come out every time.
+Each is scripts/view_template.rviz.in with three cameras: Overview, which shows everything that the scene's markers reach in
+its first seconds, in a window of 4 : 3 beside the panel and on a full screen; Riding, which turns with the body; Along L,
+which looks down the angular momentum on the picture in world axes. The latter two hide everything but that picture; a
+scene of bodies alone does not have them. `simulate` says where things are, so the package must be built and its
+devel/setup.bash sourced. The output is the same in every run.
 """
 import glob
 import math
@@ -17,13 +17,13 @@ import tempfile
 import rosbag
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), ".."))
-ASPECT = 1.46  # of the narrowest picture that all must fit into, RViz's beside the panel
+ASPECT = 1.46  # of the narrowest picture that everything must fit into, that of RViz beside the panel
 HALF_VIEW = math.tan(math.radians(22.5))  # RViz's field of view is 45 degrees high
 MARGIN = .97
 SAMPLES = 40
 
-# What a scene needs that is not so for all: `until`, for how long all must be in the view [s]; `pitch` of the camera;
-# `bodies`: nothing but the bodies is shown.
+# Settings of scenes that differ from the usual ones: `until`, how long everything must be in view [s]; `pitch` of the
+# camera; `bodies`: only the bodies are shown.
 USUAL = {"until": 20, "pitch": .38, "bodies": False}
 TABLE = {
     "damped_tumble": {"pitch": .2},
@@ -43,11 +43,11 @@ TABLE = {
     "compare": {"pitch": .1},
 }
 
-# compare.launch's arrangement of the first scene's body; the steppers' names do not matter.
+# The arrangement of compare.launch, for the body of the first scene; the names of the steppers do not matter.
 COMPARED = [("lie_euler", -7.6, 2.1), ("buss2", 0, 2.1), ("good", -7.6, -2.1), ("closed_form", 0, -2.1)]
 
 
-# --- what is where --------------------------------------------------------------------------------------------------
+# --- positions ------------------------------------------------------------------------------------------------------
 
 
 def rotated(q, p):
@@ -92,7 +92,7 @@ class Recording:
                 self.add(marker)
 
     def radius(self, body):
-        """The layout puts the picture in world axes 1.55 m beyond the body's own sphere."""
+        """The radius of the body's sphere: the layout puts the picture in world axes 1.55 m beyond it."""
         at, start = self.frames[body + "_space"].translation, self.states[body].position
         return math.dist((at.x, at.y, at.z), (start.x, start.y, start.z)) - 1.55
 
@@ -103,7 +103,7 @@ class Recording:
         if frame.endswith("_space_body"):
             frame = frame[:-len("_body")]  # turns, about the same centre
         if frame not in self.frames:
-            return None  # the body itself
+            return None  # the frame of the body itself
         t = self.frames[frame]
         q = rotated(t.rotation, p)
         return (q[0] + t.translation.x, q[1] + t.translation.y, q[2] + t.translation.z)
@@ -130,7 +130,7 @@ class Recording:
             points, reach = [origin], .5 * max(scale.x, scale.y, scale.z)
         else:
             reach = .02
-        if turning:  # whatever way it is turned
+        if turning:  # for every attitude
             points, reach = [(0, 0, 0)], reach + max(math.sqrt(sum(x * x for x in p)) for p in points)
         if len(points) > 64:
             points = points[::len(points) // 64]
@@ -144,7 +144,7 @@ class Recording:
 
 
 def fitted(spheres, pitch):
-    """The nearest camera at +x that holds them all: distance and focal point."""
+    """The nearest camera at +x that shows all spheres: distance and focal point."""
     c, s = math.cos(pitch), math.sin(pitch)
     seen = [(p[0] * c + p[2] * s, p[1], p[2] * c - p[0] * s, r) for p, r in spheres]  # towards the eye, right, up
 
@@ -170,7 +170,7 @@ def fitted(spheres, pitch):
 
 
 def wide(spheres, pitch, focal):
-    """How near a camera with that focal point may come on a screen of 16 : 9."""
+    """The least distance of a camera with that focal point on a screen of 16 : 9."""
     c, s = math.cos(pitch), math.sin(pitch)
     nearest = 1.0
     for p, r in spheres:
@@ -196,7 +196,7 @@ Yaw: %.3f""" % ((name, distance) + tuple(x + 0.0 for x in focal) + (near, pitch,
 
 
 def riding(body):
-    """On the ellipsoids of the picture in world axes: body axes rest, and the world turns."""
+    """A camera on the ellipsoids of the picture in world axes: body axes rest, and the world turns."""
     distance = 4.7
     direction = (-.80, .42, .42)
     length = math.sqrt(sum(x * x for x in direction))
@@ -222,7 +222,7 @@ def along_momentum(recording, body):
     length = math.sqrt(x * x + y * y + z * z)
     pitch = math.asin(z / length)
     yaw = math.atan2(y, x)
-    if math.hypot(x, y) < .12 * length:  # seen from above as good as along L, and not turned round
+    if math.hypot(x, y) < .12 * length:  # from above: nearly along L, and not rotated
         pitch, yaw = 1.57, 0
     return orbit("Along L", 4.2, (at.x, at.y, at.z), max(-1.57, min(1.57, pitch)), yaw % (2 * math.pi), near=2.3)
 
@@ -242,7 +242,7 @@ def hidden(namespaces, only_bodies):
 
 
 def left_out(recording, body, displays):
-    """All but the picture in world axes of that body, and these displays; for the panel's `Hidden`."""
+    """Everything but the picture in world axes of that body, and these displays; for the panel's `Hidden`."""
     names = ["%s: [%s]" % (display, ", ".join(sorted(ns for ns in namespaces if not ns.startswith(body + "/space/"))))
              for display, namespaces in zip(("Still", "Motion"), recording.namespaces)]
     return ", ".join(names + [display + ": true" for display in displays])
@@ -301,7 +301,7 @@ def main():
         return 0 if len(sys.argv) == 2 else 2
     folder = sys.argv[1] if len(sys.argv) == 2 else os.path.join(ROOT, "rviz")
     if not os.path.isdir(folder):
-        print("make_views.py: there is no directory %s" % folder, file=sys.stderr)
+        print("make_views.py: expected a directory, got %s" % folder, file=sys.stderr)
         return 2
     for path in sorted(glob.glob(os.path.join(ROOT, "scenes", "*.yaml"))):
         name = os.path.splitext(os.path.basename(path))[0]
@@ -309,7 +309,7 @@ def main():
         recording = Recording(path, setting)
         write(folder, name, view(recording, setting, not setting["bodies"]))
         if name == "dzhanibekov":
-            write(folder, "demo", view(recording, setting, None))  # for scenes of your own: no body's name is known
+            write(folder, "demo", view(recording, setting, None))  # for scenes of users: the names of bodies are not known
     with tempfile.TemporaryDirectory() as temporary:
         path = os.path.join(temporary, "compare.yaml")
         with open(path, "w") as out:

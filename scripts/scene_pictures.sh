@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Takes one picture of each scene of scenes/ on a virtual screen, by demo.launch, into doc/scenes/NAME.png.
+# Takes one picture of each scene in scenes/ on a virtual screen, by demo.launch, and writes it to doc/scenes/NAME.png.
 #
 # Usage: scripts/scene_pictures.sh [--out DIR] [--view NAME] [SCENE ...]
-#   --out DIR   where the pictures go (default: doc/scenes)
+#   --out DIR   the directory for the pictures (default: doc/scenes)
 #   --view NAME a saved view of the scenes' .rviz files (default: Overview; others: Riding, Along L)
 #   SCENE       names of scenes in scenes/ (default: all)
 #
-# Exit: 0 all taken, 1 something failed, 2 bad use.
+# Exit: 0; 1 when something failed; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 out=$root/doc/scenes view=Overview scenes=()
@@ -16,14 +16,14 @@ while [ $# -gt 0 ]; do
     --view) [ $# -ge 2 ] || bad_use "scene_pictures.sh: $1 needs a value"; view=$2; shift 2 ;;
     -h | --help) usage; exit 0 ;;
     -*) bad_use "scene_pictures.sh: unknown option '$1'; see scene_pictures.sh --help" ;;
-    *) [ -f "$root/scenes/$1.yaml" ] || bad_use "scene_pictures.sh: there is no scene $1"; scenes+=("$1"); shift ;;
+    *) [ -f "$root/scenes/$1.yaml" ] || bad_use "scene_pictures.sh: expected one of $(scene_names | paste -sd' '), got '$1'"; scenes+=("$1"); shift ;;
   esac
 done
 named=${#scenes[@]}
 [ "$named" -gt 0 ] || mapfile -t scenes < <(scene_names)
 mkdir -p "$out"
 
-# at SCENE: the simulation time at which its picture tells most [s].
+# at SCENE: prints the simulation time at which its picture shows most [s].
 at() {
   case "$1" in
     dzhanibekov) echo 7.9 ;;
@@ -67,17 +67,17 @@ trap 'exit 130' INT
 trap 'exit 143' TERM
 start_display 1600x900
 
-# picture SCENE: into $raw; 1 where RViz, or the node, ended meanwhile.
+# picture SCENE: takes its picture into $raw; returns 1 if RViz or the node ended early.
 picture() {
   roslaunch poinsot demo.launch scene:="$1" rviz_config:="$config" rviz_args:=--fullscreen > "$log" 2>&1 &
   launch_pid=$!
   local up=0
   await_rviz "$launch_pid" || up=$?
   [ $up -ne 1 ] || return 1
-  [ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not come up with $1; see $log"; }
-  sleep 3  # until it has drawn what it was sent
+  [ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: RViz does not start with $1; see $log"; }
+  sleep 3  # until it has drawn the first messages
   kill -0 "$launch_pid" 2> /dev/null || return 1
-  timeout 90 python3 "$root/scripts/show_until.py" "$(at "$1")" || return 1  # without a master it would wait for ever
+  timeout 90 python3 "$root/scripts/show_until.py" "$(at "$1")" || return 1  # without a master, it would wait for ever
   sleep 2
   kill -0 "$launch_pid" 2> /dev/null || return 1
   import -window root "$raw"
@@ -87,15 +87,15 @@ for scene in "${scenes[@]}"; do
   say "$scene at t = $(at "$scene") s"
   if ! said=$(/usr/bin/python3 "$root/scripts/choose_view.py" "$root/rviz/$scene.rviz" "$config" "$view" 1600x900 2>&1); then
     [ "$named" -eq 0 ] || bad_use "scene_pictures.sh: $scene: $said"
-    say "$scene: $said"  # not all have all views
+    say "$scene: $said"  # not every scene has every view
     continue
   fi
-  # With software OpenGL RViz itself crashes now and then.
+  # With software OpenGL, RViz itself crashes occasionally.
   for try in 1 2 3; do
     if picture "$scene"; then break; fi
     end_launch
     [ $try -lt 3 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: $scene: the launch ended early three times; see $log"; }
-    say "$scene: the launch ended early; once more"
+    say "$scene: the launch ended early; trying again"
   done
   convert "$raw" -resize 960x540 -strip -define png:compression-level=9 -colors 255 "PNG8:$out/$scene.png"
   end_launch

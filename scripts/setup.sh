@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing for what is asked for: those of scripts/packages/NAME.txt.
+# Installs the missing Debian packages of the lists scripts/packages/NAME.txt.
 #
 # Usage: scripts/setup.sh [--NAME ...]
 #   (always)      what the demo needs
-#   --pictures    a virtual display, and pictures of it
-#   --films       scripts/film.sh
-#   --tests       scripts/test.sh
-#   --tests_long  scripts/test.sh --all
-#   --benchmarks  the benchmarks and the reference rows
-#   --peers       the solvers that scripts/benchmark.sh compares Poinsot with
-#   --docs        scripts/docs.sh
+#   --pictures    a virtual display, and tools to take pictures of it
+#   --films       for scripts/film.sh
+#   --tests       for scripts/test.sh
+#   --tests_long  for scripts/test.sh --all
+#   --benchmarks  for the benchmarks and the reference rows
+#   --peers       the solvers with which scripts/benchmark.sh compares Poinsot
+#   --docs        for scripts/docs.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 lists=("$root/scripts/packages/demo.txt")
@@ -18,7 +18,7 @@ for word in "$@"; do
     -h | --help) usage; exit 0 ;;
     --pictures | --films | --tests | --tests_long | --benchmarks | --peers | --docs)
       lists+=("$root/scripts/packages/${word#--}.txt") ;;
-    *) bad_use "setup.sh: unknown word '$word'; see setup.sh --help" ;;
+    *) bad_use "setup.sh: unknown option '$word'; see setup.sh --help" ;;
   esac
 done
 
@@ -31,13 +31,13 @@ mapfile -t missing < <(
 say "installing ${#missing[@]} Debian packages"
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo > /dev/null || fail "setup.sh: root rights are needed to install: ${missing[*]}"
+  command -v sudo > /dev/null || fail "setup.sh: expected root rights or sudo, to install ${missing[*]}"
   as_root=(sudo)
 fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 export DEBIAN_FRONTEND=noninteractive
-# The list of packages may be too old to fetch from: renew it only then.
+# If this fails, the list of packages may be out of date: update it and try again.
 install() { "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}" > "$log" 2>&1; }
 if ! install; then
   "${as_root[@]}" apt-get update > "$log" 2>&1 || { tail -n 20 "$log" >&2; fail "setup.sh: apt-get update failed"; }

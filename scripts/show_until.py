@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Has a running node start again, and stops it at a simulation time: show_until.py SECONDS."""
+"""Resets a running node and pauses it at a simulation time: show_until.py SECONDS."""
 import sys
 
 import rospy

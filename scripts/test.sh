@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Builds what the tests need, and runs them.
+# Installs and builds what the tests need, and runs them.
 #
 # Usage: scripts/test.sh [--all | --only PATTERN] [--list]
-#   (nothing)       the quick tests: what a change usually breaks
+#   (no option)     the quick tests: what a change usually breaks
 #   --all           all tests
-#   --only PATTERN  the tests of either tier whose name matches the regular expression; installs what --all needs
-#   --list          prints name, tier and usual duration of these tests (of all, where none are chosen); runs none
+#   --only PATTERN  the tests of either tier whose name matches the regular expression; installs the packages of --all
+#   --list          prints name, tier and usual duration of these tests (by default, of all); runs none
 #
-# Prints what failed, the time of each stage and the ten slowest tests; all durations are left in build/test_durations.csv.
+# Prints the failures, the time of each stage and the ten slowest tests; all durations are in build/test_durations.csv.
 # The last line reads "N passed, M failed". Exit: 0 when all passed, 1 otherwise, 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -20,7 +20,7 @@ while [ $# -gt 0 ]; do
       chosen=only:$2; shift 2 ;;
     --list) list=yes; shift ;;
     -h | --help) usage; exit 0 ;;
-    *) bad_use "test.sh: unknown word '$1'; see test.sh --help" ;;
+    *) bad_use "test.sh: unknown option '$1'; see test.sh --help" ;;
   esac
 done
 
@@ -28,7 +28,7 @@ times=$(mktemp)
 ROS_HOME=$(mktemp -d)
 export ROS_HOME
 trap 'rm -rf "$ROS_HOME" "$times"' EXIT
-# stage NAME COMMAND...: notes how long it took.
+# stage NAME COMMAND...: runs the command and notes its duration.
 stage() {
   local name=$1 begin=$EPOCHREALTIME
   shift
@@ -42,7 +42,7 @@ stage "installing packages" "$root/scripts/setup.sh" "${packages[@]}"
 options=(-DCATKIN_ENABLE_TESTING=ON)
 [ "$chosen" = quick ] || options+=(-DPOINSOT_BUILD_BENCHMARKS=ON)
 
-# Tests never meet a graph that is running, nor a display.
+# Tests use neither a running ROS graph nor a display.
 stay_on_loopback "$(free_port)"
 unset DISPLAY
 
@@ -72,7 +72,7 @@ say "testing"
 rm -rf "$build/ctest.xml" "$build/test_results"
 : > "$build/ctest.log"  # shown while it grows
 run() {
-  # Two slots a core: a test that computes takes two of them, one that mostly waits takes one (cmake/poinsot_tests.cmake).
+  # Two slots a core: a test that computes takes two, one that mostly waits takes one (cmake/poinsot_tests.cmake).
   ctest --test-dir "$build" --parallel $((2 * $(nproc))) --output-junit "$build/ctest.xml" \
     -R "^($(paste -sd '|' <<< "${names//./[.]}"))\$" > "$build/ctest.log" 2>&1 &
   local pid=$!

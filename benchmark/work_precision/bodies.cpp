@@ -11,7 +11,7 @@ const std::vector<Problem>& bodies() {
       // A T-handle of thin rods, moments as 0.2 : 1 : 1.1, spun about the middle one.
       {"t_handle", {1.0, 0.2, 1.1}, turned, {2, 0.02, 0.05}},
       {"near_symmetric", {1, 1.001, 2}, turned, {0.3, 0.4, 1}},
-      // A thousandth beside the separatrix, which with these moments is Omega_1 = Omega_3.
+      // Off the separatrix by a thousandth; with these moments, the separatrix is Omega_1 = Omega_3.
       {"near_separatrix", {2, 5, 6}, turned, {0.5, 0.3, 0.5005}},
       {"extreme_ratio", {1, 100, 100.5}, turned, {0.6, 0.5, 0.7}},
   };

@@ -6,7 +6,7 @@
 
 namespace poinsot::work_precision {
 
-/** The free bodies that are run. make_truth.py reads them from `work_precision_measure --bodies`. */
+/** The free bodies of the benchmark. make_truth.py reads them from `work_precision_measure --bodies`. */
 const std::vector<Problem>& bodies();
 
 /** A state known to 25 digits, as the doubles nearest to it. */
@@ -15,7 +15,7 @@ struct Truth {
   Answer answer;
 };
 
-/** Of every body at some times up to 1000 s; made by make_truth.py. */
+/** The truths for every body at some times up to 1000 s; made by make_truth.py. */
 const std::vector<Truth>& truths();
 
 }  // namespace poinsot::work_precision

@@ -20,11 +20,10 @@ struct Problem {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();               ///< at t = 0 [rad/s], body axes
 };
 
-/** What a contestant answers for one time. As it comes: the attitude is normalised only if the solver does so itself.
- */
+/** The answer of a contestant for one time, unchanged: the attitude is normalised only if the solver does so itself. */
 struct Answer {
   double time = 0;       ///< [s]
-  double time_rest = 0;  ///< what rounding took off the time that is meant [s]
+  double time_rest = 0;  ///< the intended time minus `time`, which is rounded [s]
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< body axes
 
@@ -32,7 +31,7 @@ struct Answer {
   Answer(double at, const Eigen::Quaterniond& q, const Eigen::Vector3d& o) : time(at), attitude(q), omega(o) {}
 };
 
-/** What a run took. */
+/** The work of a run. */
 struct Effort {
   static constexpr std::int64_t kUnknown = -1;
   std::int64_t steps = 0;               ///< of the solver, those it rejected included
@@ -40,43 +39,43 @@ struct Effort {
   std::int64_t exponentials = 0;        ///< of SO(3)
 };
 
-/** Called with what the solver holds after a step of its own, at least 200 times in a run of more steps. */
+/** Called with the state of the solver after one of its steps, at least 200 times in a run of more steps. */
 using Watch = std::function<void(const Answer&)>;
 
-/** A solver made ready for one problem at one setting. All that a user would do once for a body is done; what depends
- * on the start or the horizon is part of a run. */
+/** A solver prepared for one problem at one setting. Everything that a user would do once for a body is done; what
+ * depends on the start or the horizon is part of a run. */
 class Run {
  public:
   virtual ~Run() = default;
 
   /**
    * From the start to `horizon` > 0 by the solver's own steps; returns the state at exactly `horizon`.
-   * @param watch called after steps, where it is set. Timed runs have none: then nothing is paid for it in the loop.
+   * @param watch called after steps, if it is set. Timed runs have none, so it costs nothing in the loop.
    */
   virtual Answer shot(double horizon, const Watch& watch, Effort& effort) = 0;
 
   /**
-   * The states at t = interval, 2·interval, … count·interval, into `out`, which has room for them, as the solver gives
-   * them best: dense output where it has one, else steps that hit the times.
+   * Writes the states at t = interval, 2·interval, … count·interval into `out`, which has room for them, by the best
+   * means of the solver: dense output if it has one, otherwise steps that end at these times.
    */
   virtual void ticks(double interval, std::int64_t count, Answer* out, Effort& effort) = 0;
 };
 
-/** One method of one package, with one way to set its accuracy. */
+/** One method of one package, with one setting for its accuracy. */
 class Contestant {
  public:
   virtual ~Contestant() = default;
 
   virtual std::string name() const = 0;      ///< "dmv10", "odeint_dopri5_adaptive", …: [a-z0-9_] only
   virtual std::string package() const = 0;   ///< "poinsot", "Boost.odeint", …
-  virtual std::string version() const = 0;   ///< as the package itself tells it
+  virtual std::string version() const = 0;   ///< as the package reports it
   virtual std::string settings() const = 0;  ///< how it is driven, in a sentence, for the document
 
-  /** What is set to change its accuracy. */
+  /** The setting that changes its accuracy. */
   enum class Knob {
     step,       ///< [s]: takes ⌈horizon/step⌉ equal steps
     tolerance,  ///< relative and absolute tolerance alike; the solver finds its steps
-    none        ///< has one accuracy
+    none        ///< its accuracy is fixed
   };
   virtual Knob knob() const = 0;
 
@@ -86,7 +85,7 @@ class Contestant {
 
 using Contestants = std::vector<std::unique_ptr<Contestant>>;
 
-// Each in the file of its name; those of packages that are not installed are not built.
+// Each is in the file of its name. Those of packages that are not installed are not built.
 void addPoinsot(Contestants& to);
 void addOdeint(Contestants& to);
 void addGsl(Contestants& to);

@@ -9,7 +9,7 @@
 
 namespace poinsot::work_precision {
 
-/** A run of an engine that knows equal steps only. `World` has restart(), prepare(h), step() and answer(t). */
+/** A run of an engine that has equal steps only. `World` has restart(), prepare(h), step() and answer(t). */
 template <class World>
 class EngineRun final : public Run {
  public:
@@ -48,7 +48,7 @@ class EngineRun final : public Run {
   double step_;
 };
 
-/** What does not differ between the modes of one engine. */
+/** The common part of the modes of one engine. */
 class Engine : public Contestant {
  public:
   Engine(std::string name, std::string package, std::string version, std::string settings)

@@ -7,10 +7,10 @@
 
 namespace poinsot::work_precision {
 
-/** What general solvers of ordinary differential equations move: w, x, y, z of the attitude, then Ω. */
+/** The state of general solvers of ordinary differential equations: w, x, y, z of the attitude, then Ω. */
 using OdeState = std::array<double, 7>;
 
-/** q̇ = ½q(0, Ω) and Euler's equations, their coefficients formed once, as a user who cares for speed writes them. */
+/** q̇ = ½q(0, Ω) and Euler's equations, with coefficients computed once, as a user would write them for speed. */
 class FreeBodyEquations {
  public:
   explicit FreeBodyEquations(const Eigen::Vector3d& m)

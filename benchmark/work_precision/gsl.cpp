@@ -26,7 +26,7 @@ int rightHandSide(double, const double* s, double* rate, void* data) {
 
 class GslRun final : public Run {
  public:
-  /** @param tolerance positive for steps that GSL finds, 0 for equal steps of `step`. */
+  /** @param tolerance positive for steps that GSL chooses, 0 for equal steps of `step`. */
   GslRun(const Problem& problem, const gsl_odeiv2_step_type* type, double step, double tolerance)
       : counted_{FreeBodyEquations(problem.moments)},
         start_(odeStart(problem)),

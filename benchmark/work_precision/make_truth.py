@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Makes truth.cpp: where the bodies of work_precision are at some times, to 25 digits.
+"""Makes truth.cpp: the states of the bodies of work_precision at some times, to 25 digits.
 
 Usage: make_truth.py --program work_precision_measure
 
-The bodies are what the program lists. The truth is test/data/reference.py's closed form with 60 digits; at 10 and 100 s it is
-held against a plain Taylor series, in which there is no elliptic function. A difference above 1e-24 stops the script.
+The program lists the bodies. The truth is the closed form of test/data/reference.py with 60 digits; at 10 and 100 s it is
+compared with a plain Taylor series, which uses no elliptic function. A difference above 1e-24 stops the script.
 """
 import argparse
 import os

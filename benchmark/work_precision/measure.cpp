@@ -1,4 +1,4 @@
-/** Measures what accuracy costs: CSV rows on stdout, for the program work_precision, which shows them. */
+/** Measures what accuracy costs and prints CSV rows for the program work_precision, which shows them. */
 #include <time.h>
 
 #include <CLI/CLI.hpp>
@@ -24,14 +24,14 @@ using namespace poinsot::work_precision;
 constexpr int kBadUse = 2;
 constexpr double kTickRate = 60;      // Hz
 constexpr int kRequestedTimes = 100;  // of the mode "requests"
-constexpr double kFloor = 2e-15;      // rad: nothing is told from the truth below it
+constexpr double kFloor = 2e-15;      // rad: smaller errors cannot be distinguished from the truth
 
 enum class Mode { shot, ticks, requests };
 
 struct Options {
   double horizon = 100;
   double budget = 0;    ///< CPU seconds that one run may take; a ladder ends with the first that takes more
-  double patience = 0;  ///< CPU seconds to time one run by
+  double patience = 0;  ///< CPU seconds for timing one run
   double ladder = 0;    ///< ratio of neighbouring steps
 };
 
@@ -41,10 +41,10 @@ double cpuTime() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/** Greatest errors of the answers that it has seen. */
+/** The greatest errors of the answers seen so far. */
 class Judge {
  public:
-  /** @param by_truth_alone for the closed form, which does not judge itself. */
+  /** @param by_truth_alone true for the closed form, which does not judge itself. */
   Judge(const Problem& problem, bool by_truth_alone)
       : problem_(problem),
         by_truth_alone_(by_truth_alone),
@@ -52,7 +52,7 @@ class Judge {
         energy_(energy(problem.omega)),
         momentum_(problem.attitude.normalized() * problem.moments.cwiseProduct(problem.omega)) {}
 
-  /** Against the closed form, and against the 25 digits where there are some for the time. */
+  /** Compares with the closed form, and with 25 digits if they are known for the time. */
   void look(const Answer& answer) {
     if (!answer.attitude.coeffs().allFinite() || !answer.omega.allFinite()) {
       attitude = INFINITY;
@@ -100,7 +100,7 @@ class Measurement {
     answers_.resize(static_cast<std::size_t>(count_));
   }
 
-  /** One point of the diagram. Prints nothing for a run that fails. @return whether the ladder should go on. */
+  /** Measures one point of the diagram; prints nothing for a run that fails. @return whether the ladder continues. */
   bool measure(double setting) {
     const double begin = cpuTime();
     Effort effort;
@@ -172,7 +172,7 @@ class Measurement {
     }
   }
 
-  /** CPU time of set-up and run: the fastest of several; whatever disturbs makes it slower. */
+  /** CPU time of set-up and run: the fastest of several, because disturbances only make a run slower. */
   double timed(double setting, double about) {
     const int batch = std::max(1, static_cast<int>(20e-6 / std::max(about, 1e-7)));
     double best = INFINITY, spent = 0;
@@ -219,7 +219,7 @@ void climb(const Contestant& contestant, const Problem& problem, Mode mode, cons
   if (contestant.knob() == Contestant::Knob::none) {
     measurement.measure(0);
   } else if (contestant.knob() == Contestant::Knob::tolerance) {
-    // Down to where double precision ends; solvers refuse less.
+    // Down to the limit of double precision; solvers refuse smaller tolerances.
     for (double digits = 2; digits <= 14.01 && measurement.measure(std::pow(10, -digits));
          digits += options.ladder > 1.9 ? 1 : 0.5) {
     }
@@ -232,7 +232,7 @@ void climb(const Contestant& contestant, const Problem& problem, Mode mode, cons
   }
 }
 
-/** Those named, or all. Throws for a name that is not among them. */
+/** Those named, or all. Throws for an unknown name. */
 std::set<std::string> chosen(const std::vector<std::string>& wanted, const std::vector<std::string>& all,
                              const char* what) {
   std::string list;

@@ -21,7 +21,7 @@ std::string xml(const Problem& problem, const char* integrator) {
   return text;
 }
 
-/** MuJoCo's complaint since the last start: its own way is to reset the body to rest, and to write a log file. */
+/** MuJoCo's warning since the last start; by default it would reset the body to rest and write a log file. */
 std::string complaint;
 
 void complain(const char* what) {
@@ -50,8 +50,8 @@ class World {
   void restart() {
     complaint.clear();
     mj_resetData(model_, data_);
-    // The joint's axes are the body's own; the inertia's may be listed in another order, which MuJoCo turns back
-    // itself.
+    // The axes of the joint are those of the body. MuJoCo may list those of the inertia in another order, and converts
+    // them itself.
     const double q[] = {problem_.attitude.w(), problem_.attitude.x(), problem_.attitude.y(), problem_.attitude.z()};
     std::copy(q, q + 4, data_->qpos);
     std::copy(problem_.omega.data(), problem_.omega.data() + 3, data_->qvel);

@@ -25,7 +25,7 @@ std::int64_t stepsTo(double horizon, double step) {
   return static_cast<std::int64_t>(std::ceil(horizon / step * (1 - 1e-14)));
 }
 
-/** What the three ways to use odeint share. */
+/** The common part of the three ways to use odeint. */
 class OdeintRun : public Run {
  protected:
   explicit OdeintRun(const Problem& problem) : equations_(problem.moments), start_(odeStart(problem)) {}
@@ -81,7 +81,7 @@ class FixedRun final : public OdeintRun {
   double step_;
 };
 
-/** Controlled steps; dense output where the solver has it, else steps that end at the ticks. */
+/** Controlled steps, with dense output if the solver has it, otherwise with steps that end at the ticks. */
 template <class Controlled, class Dense>
 class AdaptiveRun final : public OdeintRun {
  public:

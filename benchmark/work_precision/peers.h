@@ -4,7 +4,7 @@
 
 namespace poinsot::work_precision {
 
-/** Other people's solvers, those whose packages were there when this was built. */
+/** Other people's solvers, of the packages that were installed when this was built. */
 void addPeers(Contestants& to);
 
 }  // namespace poinsot::work_precision

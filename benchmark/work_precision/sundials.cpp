@@ -14,7 +14,7 @@
 namespace poinsot::work_precision {
 namespace {
 
-constexpr long kMostSteps = 100000000;  // the default, 500, is for one call
+constexpr long kMostSteps = 100000000;  // the default, 500, is too few for one call
 
 int rightHandSide(realtype, N_Vector s, N_Vector rate, void* data) {
   (*static_cast<const FreeBodyEquations*>(data))(N_VGetArrayPointer(s), N_VGetArrayPointer(rate));
@@ -25,7 +25,7 @@ void check(int status, const char* what) {
   if (status < 0) throw std::runtime_error(std::string(what) + " returns " + std::to_string(status));
 }
 
-/** A vector and the context that everything of SUNDIALS needs. */
+/** A vector, and the context that all functions of SUNDIALS need. */
 class SundialsRun : public Run {
  public:
   ~SundialsRun() override {
@@ -128,7 +128,7 @@ class ErkRun final : public SundialsRun {
   }
   ~ErkRun() override { ERKStepFree(&memory_); }
 
-  /** Its interpolant is of lower order than its steps: these are made to end at the ticks. */
+  /** Its interpolant is of lower order than its steps, so the steps end at the ticks. */
   void ticks(double interval, std::int64_t count, Answer* out, Effort& effort) override {
     restart();
     double t = 0;

@@ -130,7 +130,7 @@ class ChangesTest(unittest.TestCase):
         self.status.next_where(lambda s: s.speed == -2.5 and not s.paused)
 
     def test_markers_keep_to_their_budget(self):
-        # doc/ros_api.md: 250 kB/s a free body at 60 messages a second, and 75 kB of what stands still.
+        # doc/benchmarks.md: 250 kB/s a free body at 60 messages a second, and 75 kB of what stands still.
         self.moving.clear()
         graph.wait_for(lambda: self.moving.count() > 400, what="as many messages as one trail is long")
         sizes = [size(m) for m in self.moving.all()]

@@ -22,31 +22,31 @@ says_nothing() {
 check "setup.sh finds nothing missing" says_nothing "$root/scripts/setup.sh"
 expect "demo.sh: unknown option" 2 "unknown option '--headles'" "$demo" --headles
 expect "demo.sh: option without its value" 2 '--duration needs a value' "$demo" --duration
-expect "demo.sh: duration that is no number" 2 'duration' "$demo" --duration soon
-expect "demo.sh: duration zero" 2 'duration must be positive' "$demo" --duration 0
-expect "demo.sh: scene that does not exist" 2 'there is no scene nosuch; there are: .*dzhanibekov' "$demo" --scene nosuch
+expect "demo.sh: duration that is no number" 2 "--duration: expected a positive number of seconds, got 'soon'" "$demo" --duration soon
+expect "demo.sh: duration zero" 2 "--duration: expected a positive number of seconds, got '0'" "$demo" --duration 0
+expect "demo.sh: scene that does not exist" 2 "--scene: expected a scene file or one of .*dzhanibekov.*, got 'nosuch'" "$demo" --scene nosuch
 expect "demo.sh: picture that cannot be written" 2 'cannot write /nowhere/shot.png' "$demo" --screenshot /nowhere/shot.png
 compare=$root/scripts/compare.sh
 expect "compare.sh --help" 0 'Usage: scripts/compare.sh' "$compare" --help
-expect "compare.sh: mode that does not exist" 2 'equal_luck is not equal_cost or equal_step' "$compare" --mode equal_luck
-expect "compare.sh: sheet that is no PNG" 2 'does not end with .png' "$compare" --out sheet.jpg
+expect "compare.sh: mode that does not exist" 2 "--mode: expected equal_cost or equal_step, got 'equal_luck'" "$compare" --mode equal_luck
+expect "compare.sh: sheet that is no PNG" 2 'expected a file that ends with .png, got .*sheet.jpg' "$compare" --out sheet.jpg
 expect "compare.sh: unknown option" 2 "unknown option '--modes'" "$compare" --modes
 film=$root/scripts/film.sh
 expect "film.sh --help" 0 'Usage: scripts/film.sh' "$film" --help
-expect "film.sh: no scene" 2 'which scene\? There are: .*dzhanibekov' "$film"
-expect "film.sh: scene that does not exist" 2 'there is no scene nosuch; there are: .*dzhanibekov' "$film" nosuch
-expect "film.sh: two scenes" 2 'one scene at a time' "$film" phone sphere
+expect "film.sh: no scene" 2 'expected a scene file or one of .*dzhanibekov.*, got none' "$film"
+expect "film.sh: scene that does not exist" 2 "expected a scene file or one of .*dzhanibekov.*, got 'nosuch'" "$film" nosuch
+expect "film.sh: two scenes" 2 "expected one scene, got 'phone' and 'sphere'" "$film" phone sphere
 expect "film.sh: unknown option" 2 "unknown option '--second'" "$film" phone --second 3
 expect "film.sh: option without its value" 2 '--seconds needs a value' "$film" phone --seconds
-expect "film.sh: seconds that are none" 2 '--seconds -3 is not a positive number' "$film" phone --seconds -3
-expect "film.sh: speed zero" 2 '--speed 0 is not a positive number' "$film" phone --speed 0
-expect "film.sh: odd size" 2 '--size 641x480 is not WIDTHxHEIGHT in even numbers' "$film" phone --size 641x480
-expect "film.sh: picture of no kind" 2 '--picture png is not webp, gif or none' "$film" phone --picture png
-expect "film.sh: view that does not exist" 2 'no view Behind; there are: Overview, Riding, Along L' \
+expect "film.sh: seconds that are none" 2 "--seconds: expected a positive number below 10000, got '-3'" "$film" phone --seconds -3
+expect "film.sh: speed zero" 2 "--speed: expected a positive number below 10000, got '0'" "$film" phone --speed 0
+expect "film.sh: odd size" 2 "--size: expected WIDTHxHEIGHT in even numbers.*, got '641x480'" "$film" phone --size 641x480
+expect "film.sh: picture of no kind" 2 "--picture: expected webp, gif or none, got 'png'" "$film" phone --picture png
+expect "film.sh: view that does not exist" 2 '--view: expected one of Overview, Riding, Along L, got Behind' \
   "$film" phone --view Behind --out "$work/films"
 expect "film.sh: directory that cannot be written" 2 'cannot write into /proc/films' "$film" phone --out /proc/films
-expect "make_views.py: directory that is none" 2 'there is no directory /nowhere' "$root/scripts/make_views.py" /nowhere
-expect "make_meshes.py: directory that is none" 2 'there is no directory /nowhere' "$root/scripts/make_meshes.py" /nowhere
+expect "make_views.py: directory that is none" 2 'expected a directory, got /nowhere' "$root/scripts/make_views.py" /nowhere
+expect "make_meshes.py: directory that is none" 2 'expected a directory, got /nowhere' "$root/scripts/make_meshes.py" /nowhere
 expect "film.sh films two seconds" 0 "$work/films/phone.gif: " \
   "$film" phone --seconds 2 --fps 5 --size 640x360 --picture gif --picture-width 320 --out "$work/films"
 # film_is FILE WIDTH HEIGHT SECONDS FRAMES: what it should be, and nearly every frame unlike the one before.
