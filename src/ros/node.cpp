@@ -9,7 +9,6 @@
 
 #include "poinsot/core/number_text.h"
 #include "poinsot/cost/cpu_time.h"
-#include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
@@ -53,7 +52,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     : interrupted_(interrupted),
       parameters_(parameters),
       timer_(pacing(parameters.publish_clock), parameters.rate, *ros::getGlobalCallbackQueue()),
-      topics_(handle) {
+      topics_(handle),
+      publishers_(std::make_shared<PublisherStore>(handle)) {
   for (const std::string& warning : parameters.scene.warnings) warned(warning);
   if (parameters.publish_clock) {
     if (!ros::Time::isSimTime()) warned("~publish_clock is on, but /use_sim_time is not set: nobody follows /clock");
@@ -64,8 +64,9 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   options.rate = parameters.rate;
   options.find = sceneFile;
   options.read = [prefix = parameters.frame_prefix](const std::string& file) { return readScene(file, prefix); };
-  options.companions = [handle, prefix = parameters.frame_prefix](const auto& replaced, session::Redraw redraw) {
-    return topicsMaker(handle, prefix, replaced, redraw);
+  options.companions = [publishers = publishers_, prefix = parameters.frame_prefix](const auto& replaced,
+                                                                                    session::Redraw redraw) {
+    return topicsMaker(publishers, prefix, replaced, redraw);
   };
   session::Built built = session::build(
       session::wholeScene(parameters.scene, parameters.rate, options.companions({}, session::Redraw::always)),
@@ -136,6 +137,7 @@ void Node::tick(session::Nanoseconds now) {
 
 void Node::serve() {
   topics_.resendStatic(*session_);
+  publishers_->withdrawUnused();
   const bool looks = viewer_.subscriber.getNumPublishers() > 0;  // else whoever looked from there is gone
   for (const session::HandleEvent& event : handles_->take()) {
     session_->touch(event, wallTime(), looks ? viewer_.eye : std::nullopt,

@@ -249,11 +249,28 @@ class ChangesTest(unittest.TestCase):
             self.assertEqual(late, set(names), "what a late RViz sees")
             frames = {t.child_frame_id.split("_space")[0].split("_model")[0] for t in self.tf_static.last().transforms}
             self.assertEqual(frames, set(names))
-            topics = {name for name, _ in rospy.get_published_topics()}
-            self.assertNotIn("/%s/state" % BODY, topics)
+            graph.wait_for(lambda: not {"/%s/%s" % (BODY, what) for what in ("state", "odometry", "description")} &
+                           {name for name, _ in rospy.get_published_topics()}, what="the end of the topics of " + BODY)
         since = self.states.count()
         self.load("dzhanibekov")
         self.assertEqual(self.states.next_where(lambda s: s.time_rate == 1, since=since).body, BODY)
+
+    def test_who_listens_is_served_after_quick_changes_of_scenes(self):
+        # "wingnut" has a body of the same name. "t_handle" has not: were the topics withdrawn and advertised again, a rospy
+        # subscriber that hears of the new publisher before it notices the end of the old connection would stay alone.
+        before = self.states.last()
+        for other in ("wingnut", "t_handle"):
+            for scene in 10 * ("dzhanibekov", other):
+                response = self.load_scene(scene)
+                self.assertTrue(response.success, response.message)
+            for scene in (other, "dzhanibekov"):
+                response = self.load_scene(scene)
+                self.assertTrue(response.success, response.message)
+                graph.wait_for(lambda: self.status.last().scene == scene and not self.status.last().busy, what=scene)
+            for listener in (self.states, self.moving):
+                listener.more(5)
+            self.assertTrue(self.states.last()._connection_header is before._connection_header, "connected anew")
+        self.assertEqual({ns.split("/")[0] for ns, _ in graph.drawn(self.moving.all())}, {BODY})
 
     def test_bad_scenes_are_refused(self):
         self.refuse(lambda: self.load_scene("nosuch"), "nosuch", "allowed:", "dzhanibekov")

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/diagnostics.h"
 #include "poinsot/ros/parameters.h"
 #include "poinsot/ros/scene_topics.h"
@@ -90,6 +91,7 @@ class Node : private session::Listener {
   TickTimer timer_;
   session::ThreadJob job_;
   SceneTopics topics_;
+  const std::shared_ptr<PublisherStore> publishers_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<SpinHandles> handles_;
   std::unique_ptr<Diagnostics> diagnostics_;
