@@ -184,7 +184,7 @@ class ChangesTest(unittest.TestCase):
 
     def test_bad_methods_are_refused(self):
         self.refuse(lambda: self.set_method(BODY, "rk5", 0), "rk5", "allowed: closed_form")
-        self.refuse(lambda: self.set_method("book", "rk4", 0), "book", "allowed: wingnut")
+        self.refuse(lambda: self.set_method("book", "rk4", 0), 'expected one of wingnut, got "book"')
         self.refuse(lambda: self.set_method(BODY, "rk4", -1), "step", "allowed: a positive finite number")
         self.refuse(lambda: self.set_method(BODY, "rk4", NAN), "step", "allowed: a positive finite number")
         self.refuse(lambda: self.set_method(BODY, "rk4", 50), "rk4 with a step of 50 s", "a step of at most")
@@ -213,7 +213,7 @@ class ChangesTest(unittest.TestCase):
     def test_forbidden_spins_are_refused(self):
         for bad in (NAN, INF, -INF, 1e200):
             self.refuse(lambda: self.set_spin(BODY, Vector3(1, bad, 0)), BODY, "allowed: 3 finite numbers")
-        self.refuse(lambda: self.set_spin("book", Vector3(1, 0, 0)), "book", "allowed: wingnut")
+        self.refuse(lambda: self.set_spin("book", Vector3(1, 0, 0)), 'expected one of wingnut, got "book"')
 
     def test_rest_is_allowed_and_reset_brings_the_spin_back(self):
         self.change(lambda: self.set_spin(BODY, Vector3(0, 0, 0)))
@@ -273,7 +273,8 @@ class ChangesTest(unittest.TestCase):
         self.assertEqual({ns.split("/")[0] for ns, _ in graph.drawn(self.moving.all())}, {BODY})
 
     def test_bad_scenes_are_refused(self):
-        self.refuse(lambda: self.load_scene("nosuch"), "nosuch", "allowed:", "dzhanibekov")
+        self.refuse(lambda: self.load_scene("nosuch"), 'expected the path of a scene file or one of ', "dzhanibekov",
+                    'got "nosuch"')
         self.refuse(lambda: self.load_scene("/nowhere/at_all.yaml"), "/nowhere/at_all.yaml")
         bad = os.path.join(os.environ.get("ROS_HOME", "/tmp"), "poinsot_bad_scene.yaml")
         with open(bad, "w") as file:
@@ -319,7 +320,8 @@ class ChangesTest(unittest.TestCase):
         self.assertTrue(self.set_method(BODY, "lie_euler", 0.004).success)  # 5e7 steps: it takes its time
         self.seek(1e9)
         status = self.status.next_where(lambda s: s.refused, LONG)
-        for piece in ("method lie_euler of wingnut refused", "to t = 1e+09 s", "steps of 0.004 s", "allowed: at most"):
+        for piece in ("method lie_euler of wingnut refused", "to t = 1e+09 s", "steps of 0.004 s",
+                      "expected at most 1e+09 steps, got"):
             self.assertIn(piece, status.refused)
         state = self.states.next_where(lambda s: s.time > 1e9 + 1)
         self.assertEqual(state.attitude_error, 0, "what was refused plays")
@@ -369,7 +371,8 @@ class ChangesTest(unittest.TestCase):
     def test_a_method_that_costs_too_much_is_refused(self):
         self.assertTrue(self.set_method(BODY, "lie_euler", 1e-8).success)  # what it costs is seen when it is there
         status = self.status.next_where(lambda s: s.refused)
-        for piece in ("method lie_euler of wingnut refused", "its steps cost", "is allowed: take larger steps"):
+        for piece in ("method lie_euler of wingnut refused", "expected steps that cost at most 0.8 CPU s", ", got ",
+                      "; take larger steps"):
             self.assertIn(piece, status.refused)
         self.assertEqual(status.bodies[0].method, "closed_form")
 
