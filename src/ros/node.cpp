@@ -9,6 +9,7 @@
 
 #include "poinsot/core/number_text.h"
 #include "poinsot/cost/cpu_time.h"
+#include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"

@@ -39,7 +39,7 @@ class Part {
   virtual void appendFigures(const Subject& /*subject*/, const session::Tick& /*tick*/, const Figures& /*figures*/,
                              Canvas& /*canvas*/) {}
 
-  /** Forgets where the body was: nobody looked, or the motion jumped. */
+  /** Forgets where the body was: there was no viewer, or the motion jumped. */
   virtual void clearTrail() {}
 
   /** Has the next markers hold also what is sent only now and then. */
