@@ -1,8 +1,9 @@
 #include "poinsot/ros/conversions.h"
 
 #include <cstdint>
-#include <cstdio>
 #include <stdexcept>
+
+#include "poinsot/core/number_text.h"
 
 namespace poinsot::node {
 
@@ -61,12 +62,9 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& place) {
     case XmlRpcValue::TypeInt:
       node = std::to_string(static_cast<int>(value));
       break;
-    case XmlRpcValue::TypeDouble: {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.17g", static_cast<double>(value));
-      node = text;
+    case XmlRpcValue::TypeDouble:
+      node = numberText(static_cast<double>(value), 17);
       break;
-    }
     case XmlRpcValue::TypeString:
       node = static_cast<std::string>(value);
       node.SetTag("!");  // YAML's mark of a text that is no boolean, number or null
@@ -80,7 +78,7 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& place) {
       for (auto& [key, member] : value) node[key] = toYaml(member, place + "." + key);
       break;
     default:
-      throw std::invalid_argument(place + ": dates and binary data have no place in a scene");
+      throw std::invalid_argument(place + ": expected a boolean, number, text, list or map, got a date or binary data");
   }
   return node;
 }

@@ -8,7 +8,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-constexpr double kAstray = 0.1;     // rad from the truth: a warning
+constexpr double kAstray = 0.1;     // rad from the closed form: beyond, a warning
 constexpr double kLateShare = 0.9;  // of the rate that was asked for: below, a warning
 
 }  // namespace

@@ -22,9 +22,9 @@ namespace poinsot::node {
 namespace {
 
 constexpr int kControlQueue = 100;
-constexpr std::chrono::seconds kPatience{1};  // with a job that was told to end
+constexpr std::chrono::seconds kPatience{1};  // until a job that was told to end has ended
 const ros::WallDuration kPatienceForClock(3);
-const ros::WallDuration kStatusPause(0.095);  // ten times a second where one tick in a few is taken
+const ros::WallDuration kStatusPause(0.095);  // ten times a second, also where ticks come a little early
 
 TickTimer::Mode pacing(bool publish_clock) {
   if (publish_clock) return TickTimer::Mode::own_clock;
@@ -35,7 +35,7 @@ session::Nanoseconds wallTime() {
   return static_cast<session::Nanoseconds>(ros::SteadyTime::now().toNSec());
 }
 
-/** Where its meshes are there and its bodies' frames can be told from the world. */
+/** Returns the scene; throws where a mesh is missing, or where a body's frame would be "world". */
 session::NamedScene readScene(const std::string& file, const std::string& frame_prefix) {
   session::NamedScene out;
   out.file = file;
@@ -53,7 +53,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     : interrupted_(interrupted),
       parameters_(parameters),
       timer_(pacing(parameters.publish_clock), parameters.rate, *ros::getGlobalCallbackQueue()),
-      topics_(handle) {
+      topics_(handle),
+      publishers_(std::make_shared<PublisherStore>(handle)) {
   for (const std::string& warning : parameters.scene.warnings) warned(warning);
   if (parameters.publish_clock) {
     if (!ros::Time::isSimTime()) warned("~publish_clock is on, but /use_sim_time is not set: nobody follows /clock");
@@ -64,8 +65,9 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   options.rate = parameters.rate;
   options.find = sceneFile;
   options.read = [prefix = parameters.frame_prefix](const std::string& file) { return readScene(file, prefix); };
-  options.companions = [handle, prefix = parameters.frame_prefix](const auto& replaced, session::Redraw redraw) {
-    return topicsMaker(handle, prefix, replaced, redraw);
+  options.companions = [publishers = publishers_, prefix = parameters.frame_prefix](const auto& replaced,
+                                                                                    session::Redraw redraw) {
+    return topicsMaker(publishers, prefix, replaced, redraw);
   };
   session::Built built = session::build(
       session::wholeScene(parameters.scene, parameters.rate, options.companions({}, session::Redraw::always)),
@@ -75,9 +77,9 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   session::Listener& listener = *this;
   session_ = std::make_unique<session::Session>(options, scene, std::move(built), job_, listener);
   if (session_->steppingCost() > session::kMostLoad) {
-    throw ParameterError("the steps of this scene cost " + numberText(session_->steppingCost()) +
-                         " CPU s per simulated s here, which cannot be played in real time; at most " +
-                         numberText(session::kMostLoad) + " can: take larger steps, or " + kClosedForm +
+    throw ParameterError("expected steps that cost at most " + numberText(session::kMostLoad) +
+                         " CPU s per simulated s, got " + numberText(session_->steppingCost()) +
+                         ": this machine cannot play the scene in real time; take larger steps, or " + kClosedForm +
                          ", which has none");
   }
 
@@ -136,7 +138,8 @@ void Node::tick(session::Nanoseconds now) {
 
 void Node::serve() {
   topics_.resendStatic(*session_);
-  const bool looks = viewer_.subscriber.getNumPublishers() > 0;  // else whoever looked from there is gone
+  publishers_->withdrawUnused();
+  const bool looks = viewer_.subscriber.getNumPublishers() > 0;  // else the viewer is gone
   for (const session::HandleEvent& event : handles_->take()) {
     session_->touch(event, wallTime(), looks ? viewer_.eye : std::nullopt,
                     names::Frames(parameters_.frame_prefix, event.body).model);
@@ -144,19 +147,11 @@ void Node::serve() {
   session_->serve(wallTime());
 }
 
-void Node::onSpeed(const std_msgs::Float64& message) {
-  session_->ask(session::SetSpeed{message.data});
-}
-
-void Node::onSeek(const std_msgs::Float64& message) {
-  session_->ask(session::Seek{message.data});
-}
-
 void Node::onViewpoint(const geometry_msgs::PointStamped& message) {
   const Eigen::Vector3d eye(message.point.x, message.point.y, message.point.z);
   if (message.header.frame_id != names::kWorld || !eye.allFinite()) {
-    ROS_WARN_THROTTLE(10, "a viewpoint in frame %s is of no use: finite, in frame %s is",
-                      message.header.frame_id.c_str(), names::kWorld);
+    ROS_WARN_THROTTLE(10, "viewpoint ignored: expected finite coordinates in frame %s, got (%g, %g, %g) in frame %s",
+                      names::kWorld, eye.x(), eye.y(), eye.z(), message.header.frame_id.c_str());
     return;
   }
   viewer_.eye = eye;
@@ -177,18 +172,6 @@ void Node::bodiesChanged(const std::vector<std::string>& names, bool another_sce
   } else {
     topics_.bodiesChanged(*session_, names, toTime(timer_.stamp()));
   }
-}
-
-void Node::previewChanged(const std::string& body) {
-  topics_.previewChanged(body);
-}
-
-void Node::previewEnded(const std::string& body) {
-  topics_.previewEnded(*session_, body);
-}
-
-void Node::keepsAnotherEllipsoid(view::ConservedQuantity keep) {
-  handles_->showKept(keep);
 }
 
 void Node::refused(const session::Refusal& refusal) {
@@ -213,7 +196,7 @@ void Node::timeIsCoarse(double time, double spacing) {
 }
 
 void Node::handIsGone(const std::string& body) {
-  ROS_WARN("whoever held %s is gone: it goes on as it was", body.c_str());
+  ROS_WARN("the viewer that held %s is gone: the body goes on as before", body.c_str());
 }
 
 void Node::stampsJumpedBack() {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "poinsot/core/number_text.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
@@ -17,12 +18,6 @@ namespace {
 constexpr double kSlowestRate = 1e-3;  // Hz
 constexpr double kFastestRate = 1e4;   // Hz
 
-std::string shown(const XmlRpc::XmlRpcValue& value) {
-  std::ostringstream out;
-  value.write(out);
-  return out.str();
-}
-
 /** Calls `use` with the value of a parameter that is set. */
 template <class Use>
 void ifSet(const ros::NodeHandle& handle, const char* name, Use use) {
@@ -30,29 +25,32 @@ void ifSet(const ros::NodeHandle& handle, const char* name, Use use) {
   if (handle.getParam(name, value)) use(value);
 }
 
-[[noreturn]] void refuse(const char* name, const XmlRpc::XmlRpcValue& value, const std::string& allowed) {
-  throw ParameterError("parameter ~" + std::string(name) + ": " + shown(value) + " is not allowed; " + allowed + " is");
+[[noreturn]] void refuse(const char* name, const XmlRpc::XmlRpcValue& value, const std::string& expected) {
+  std::ostringstream message;
+  message << "parameter ~" << name << ": expected " << expected << ", got ";
+  value.write(message);
+  throw ParameterError(message.str());
 }
 
-/** As in a scene file: a reader of parameter files has taken `1e2` for a text. */
+/** Returns the rate [Hz], read as in a scene file: readers of parameter files take `1e2` for a text. */
 double readRate(XmlRpc::XmlRpcValue& value) {
   const std::string source = std::string("parameter ~") + names::kRate;
   const bool text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
   return scene::readRate(text ? YAML::Node(static_cast<std::string>(value)) : toYaml(value, source), source);
 }
 
-std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::string& allowed) {
-  if (value.getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, value, allowed);
+std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::string& expected) {
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, value, expected);
   return static_cast<std::string>(value);
 }
 
 std::string readPrefix(XmlRpc::XmlRpcValue& value) {
-  const std::string allowed = "a text of letters, digits, _ and /, that begins with a letter";
-  const std::string prefix = readText(names::kFramePrefix, value, allowed);
+  const std::string expected = "a text of letters, digits, _ and / that begins with a letter";
+  const std::string prefix = readText(names::kFramePrefix, value, expected);
   const bool good = std::all_of(prefix.begin(), prefix.end(),
                                 [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '/'; });
   if (!good || (!prefix.empty() && !std::isalpha(static_cast<unsigned char>(prefix[0])))) {
-    refuse(names::kFramePrefix, value, allowed);
+    refuse(names::kFramePrefix, value, expected);
   }
   return prefix;
 }
@@ -65,8 +63,8 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   const bool has_file = handle.hasParam(names::kSceneFile);
   const std::string& here = handle.getNamespace();
   if (has_tree == has_file) {
-    throw ParameterError(here + ": " + (has_tree ? "both" : "neither") +
-                         " ~scene (the tree of a scene file) and ~scene_file (its path) are set; one of them must be");
+    throw ParameterError(here + ": expected either ~scene (the tree of a scene file) or ~scene_file (its path), got " +
+                         (has_tree ? "both" : "neither"));
   }
   ifSet(handle, names::kScene, [&](XmlRpc::XmlRpcValue& value) {
     const std::string source = "parameter " + here + "/" + names::kScene;
@@ -85,10 +83,8 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   if (out.scene.rate) out.rate = *out.scene.rate;
   ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
   if (out.rate < kSlowestRate || out.rate > kFastestRate) {
-    std::ostringstream message;
-    message << here << ": a rate of " << out.rate << " Hz is not allowed; " << kSlowestRate << " to " << kFastestRate
-            << " Hz is";
-    throw ParameterError(message.str());
+    throw ParameterError(here + ": expected a rate from " + numberText(kSlowestRate) + " to " +
+                         numberText(kFastestRate) + " Hz, got " + numberText(out.rate));
   }
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");
@@ -104,7 +100,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
 void checkPrefix(const std::string& frame_prefix, const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies) {
     if (frame_prefix + body.name == names::kWorld) {
-      refuse(names::kFramePrefix, XmlRpc::XmlRpcValue(frame_prefix), "one that makes no body's frame \"world\"");
+      refuse(names::kFramePrefix, XmlRpc::XmlRpcValue(frame_prefix), "a prefix that makes no body's frame \"world\"");
     }
   }
 }

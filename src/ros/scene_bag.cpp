@@ -29,6 +29,10 @@ std::string absolute(const std::string& topic) {
   return "/" + topic;
 }
 
+std::string topicOf(const session::MovingBody& body, const char* what) {
+  return absolute(names::topic(body.name(), what));
+}
+
 }  // namespace
 
 SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Options& options)
@@ -44,13 +48,10 @@ SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Opt
 SceneBag::Entry::Entry(const scene::Body& scene_body, BodyPicture::Detail detail)
     : body(scene_body),
       frames("", scene_body.name),
-      state(absolute(names::topic(scene_body.name, names::kState))),
-      odometry(absolute(names::topic(scene_body.name, names::kOdometry))),
-      description(absolute(names::topic(scene_body.name, names::kDescription))),
       picture(std::make_unique<BodyPicture>(scene_body, body.motion(), frames, detail)),
       frame(picture->frame()) {}
 
-// A bag that meets a full disk cannot be destroyed: its destructor would write once more, and throw.
+// On a full disk a bag cannot be destroyed: its destructor would write once more, and throw.
 SceneBag::~SceneBag() {
   if (bag_ && bag_->isOpen()) static_cast<void>(bag_.release());
 }
@@ -60,7 +61,7 @@ void SceneBag::put(const std::string& topic, const Message& message) {
   bag_->write(topic, *stamp_, message);
 }
 
-/** As rosbag records it, so that rosbag plays it latched. */
+/** Writes a message as rosbag records it, so that rosbag plays it latched. */
 template <class Message>
 void SceneBag::putLatched(const std::string& topic, const Message& message) {
   const auto header = boost::make_shared<ros::M_string>();
@@ -85,7 +86,8 @@ void SceneBag::writeStatic() {
   tf2_msgs::TFMessage transforms;
   for (const Entry& entry : entries_) {
     appendStaticTransforms(entry.frames, entry.frame.layout, *stamp_, transforms.transforms);
-    putLatched(entry.description, descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
+    putLatched(topicOf(entry.body, names::kDescription),
+               descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
   }
   putLatched("/tf_static", transforms);
   writeStaticMarkers();
@@ -107,8 +109,8 @@ void SceneBag::writeMoving(const session::Tick& tick) {
   for (Entry& entry : entries_) {
     entry.body.move(tick);
     appendTransforms(entry.body, entry.frames, *stamp_, transforms_.transforms);
-    put(entry.state, stateMessage(entry.body, tick, kNotMeasured));
-    put(entry.odometry, odometryMessage(entry.body, entry.frames.body, tick));
+    put(topicOf(entry.body, names::kState), stateMessage(entry.body, tick, kNotMeasured));
+    put(topicOf(entry.body, names::kOdometry), odometryMessage(entry.body, entry.frames.body, tick));
   }
   put("/tf", transforms_);
   if (!markers_) return;
@@ -124,7 +126,7 @@ void SceneBag::writeMoving(const session::Tick& tick) {
   if (!markers.markers.empty()) put(absolute(names::kMarkers), markers);
 }
 
-// Who replays it may still have what another recording of these bodies drew.
+// Viewers of a replay may still show what another recording of these bodies drew.
 void SceneBag::clearLeftovers(bool& cleared, MarkerArray& markers) const {
   if (std::exchange(cleared, true)) return;
   std::vector<std::string> names;

@@ -3,6 +3,7 @@
 #include <ros/package.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -36,9 +37,8 @@ std::string sceneFile(const std::string& name_or_path) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return (directory() / (name_or_path + kEnding)).string();
   }
-  std::string message = "there is no scene \"" + name_or_path + "\"; allowed: the path of a scene file, or one of";
-  for (std::size_t i = 0; i < names.size(); ++i) message += (i ? ", " : " ") + names[i];
-  throw std::invalid_argument(message);
+  throw std::invalid_argument("scene: expected the path of a scene file or one of " +
+                              boost::algorithm::join(names, ", ") + ", got \"" + name_or_path + "\"");
 }
 
 std::string sceneName(const std::string& file) {

@@ -21,9 +21,9 @@ constexpr int kMarkerQueue = 100;
 constexpr int kTfQueue = 100;
 const ros::WallDuration kResendAfter(2);
 const ros::WallDuration kResendAfterScene(0.5);  // its frames are new to everybody
-const ros::WallDuration kNextIsFar(0.1);         // the next tick, so that a new viewer is given the last one
+const ros::WallDuration kNextIsFar(0.1);         // since the last tick: then a new viewer is sent that one
 const ros::WallDuration kPreviewPause(0.05);
-const ros::WallDuration kYouth(10);  // in which viewers of a node that was restarted connect again
+const ros::WallDuration kYouth(10);  // within it, viewers connect again to a node that was restarted
 
 Figures figuresOf(const session::Body& body) {
   return {body.attitudeError(), body.energyDrift(), body.cost(), body.state().kinetic_energy};
@@ -32,7 +32,7 @@ Figures figuresOf(const session::Body& body) {
 }  // namespace
 
 SceneTopics::SceneTopics(ros::NodeHandle handle) {
-  // Who comes while ROS time stands still is given the last tick: there is no next one to wait for.
+  // A subscriber that comes while ROS time stands still is sent the last tick: no other may come.
   tf_ =
       handle.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
         const bool next_is_far = ros::SteadyTime::now() - transforms_sent_ > kNextIsFar;
@@ -54,7 +54,7 @@ void SceneTopics::begin(const Session& session, const ros::Time& stamp) {
 }
 
 void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) {
-  // One message for all: whoever replays a bag gets the last one of a latched topic only.
+  // One message for all bodies: a replayed bag gives only the last message of a latched topic.
   tf2_msgs::TFMessage transforms;
   for (const auto& body : session.bodies()) {
     const BodyTopics& topics = topicsOf(*body);
@@ -66,7 +66,7 @@ void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) 
 }
 
 void SceneTopics::sceneChanged(const Session& session, const ros::Time& stamp) {
-  // What the old scene had sent is not for who comes now, and who is there is to see no more of it.
+  // New viewers are not sent what the old scene had sent, and viewers that are there no longer see it.
   resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;
   preview_is_new_ = false;
   transforms_.transforms.clear();
@@ -104,7 +104,7 @@ void SceneTopics::publishStaticMarkers(const Session& session) {
   MarkerArray markers;
   for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().appendStatic(markers);
   still_.withdrawAll();
-  still_.withdrawAgain();  // a viewer that is slow is sent the last of several messages only
+  still_.withdrawAgain();  // a slow viewer is sent only the last of several messages
   withdrawLeftovers(session, still_);
   still_.follow(markers);
   static_markers_.publish(markers);
@@ -167,7 +167,7 @@ void SceneTopics::publishMarkers(const Session& session, const session::Tick& ti
       const session::Body& body = session.drawn(i);
       BodyPicture& picture = topicsOf(body).picture();
       picture.appendMoving(tick, body.motion(), body.state(), markers);
-      // They tell how well it steps, which a body that is only drawn as it would be does not.
+      // Figures tell how well a body steps; one that is only a preview does not step.
       if (some_body_steps && &body == bodies[i].get()) picture.appendFigures(tick, figuresOf(body), markers);
     }
     publishMoving(std::move(markers));

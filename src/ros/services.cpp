@@ -28,7 +28,7 @@ class Posted : public ros::CallbackInterface {
     try {
       ask_(request_, [answer = answer_](const session::Answer& given) { answer->set_value(given); });
     } catch (const std::exception&) {
-      // Whoever waits is told. Where the answer has been given, the fault is another's, who asks next.
+      // The caller is told. Where the answer has been given, the fault belongs to a request that follows.
       try {
         answer_->set_exception(std::current_exception());
       } catch (const std::future_error&) {
@@ -76,8 +76,8 @@ session::Answer Services::answerTo(const session::Request& request) {
   while (answer.wait_for(kBetweenLooks) != std::future_status::ready) {
     if (ended_ || interrupted_) throw std::runtime_error("the node is ending");
     if (std::chrono::steady_clock::now() > end) {
-      throw std::runtime_error("no answer within " + numberText(static_cast<double>(kAnswerPatience.count())) +
-                               " s; what was asked for is still being worked on");
+      throw std::runtime_error("expected an answer within " + std::to_string(kAnswerPatience.count()) +
+                               " s, got none; what was asked for is still being worked out");
     }
   }
   return answer.get();

@@ -41,26 +41,26 @@ std::string textOf(const session::Refusal& refusal) {
   const auto* seek = std::get_if<session::Seek>(&refusal.requests.front());
   switch (refusal.reason) {
     case Reason::not_finite:
-      if (speed) return "speed " + numberText(speed->speed) + " refused: a finite number is allowed";
-      return "seek to " + numberText(seek->time) + " refused: a finite time is allowed";
+      if (speed) return "speed refused: expected a finite number, got " + numberText(speed->speed);
+      return "seek refused: expected a finite time (s), got " + numberText(seek->time);
     case Reason::too_fast:
       if (speed) {
-        return "speed " + numberText(speed->speed) + " refused: the steps of this scene cost " +
-               numberText(refusal.figure) + " CPU s per simulated s; up to " + numberText(refusal.limit) +
-               " is allowed here";
+        return "speed refused: expected a number from -" + numberText(refusal.limit) + " to " +
+               numberText(refusal.limit) + ", got " + numberText(speed->speed) + ": the steps of this scene cost " +
+               numberText(refusal.figure) + " CPU s per simulated s here";
       }
-      return textOf(refusal.requests) + " refused: its steps cost " + numberText(refusal.figure) +
-             " CPU s per simulated s here, and at speed " + numberText(refusal.speed) + " at most " +
-             numberText(refusal.limit) + " is allowed: take larger steps or a lower speed";
+      return textOf(refusal.requests) + " refused: expected steps that cost at most " + numberText(refusal.limit) +
+             " CPU s per simulated s at speed " + numberText(refusal.speed) + ", got " + numberText(refusal.figure) +
+             " here; take larger steps or a lower speed";
     case Reason::too_many_steps:
-      return "seek to " + numberText(seek->time) + " s refused: body " + refusal.body + " under " + refusal.method +
-             " would take " + numberText(refusal.figure) + " steps of " + numberText(refusal.step) + " s; at most " +
-             numberText(refusal.limit) + " are allowed";
+      return "seek to " + numberText(seek->time) + " s refused: expected at most " + numberText(refusal.limit) +
+             " steps, got " + numberText(refusal.figure) + " of " + numberText(refusal.step) + " s for body " +
+             refusal.body + " under " + refusal.method;
     case Reason::no_state:
-      return "seek to " + numberText(seek->time) +
-             " s refused: " + (refusal.body.empty() ? "" : "body " + refusal.body + ": ") + refusal.detail + " there";
+      return "seek to " + numberText(seek->time) + " s refused: expected a time at which every body has a state; " +
+             (refusal.body.empty() ? "" : "body " + refusal.body + ": ") + refusal.detail + " there";
     case Reason::not_paused:
-      return "not paused: call ~pause with data: true first";
+      return "step refused: expected a paused node, got one that plays; call ~pause with data: true first";
     case Reason::cannot_be_made:
       return textOf(refusal.requests) + " refused: " + refusal.detail;
     case Reason::bad_request:

@@ -26,7 +26,7 @@ constexpr std::size_t kMostHandles = 16;    // bodies beyond have none
 constexpr std::size_t kPlacedEachTick = 4;  // with more they are placed more rarely
 constexpr std::size_t kMostEvents = 1000;   // kept between two calls of take()
 
-/** Around what is drawn at Ω. Of a sixth of the triangles of RViz's own sphere, which software OpenGL feels. */
+/** Returns a ball around Ω, with a sixth of the triangles of RViz's own sphere: software OpenGL is slow. */
 Marker ball() {
   Marker out;
   out.type = Marker::TRIANGLE_LIST;
@@ -58,54 +58,42 @@ geometry_msgs::Pose poseAt(const Eigen::Vector3d& point) {
   return out;
 }
 
-HandleEvent meaning(HandleEvent::Kind kind) {
+HandleEvent eventOf(HandleEvent::Kind kind, view::Axis axis = {}, view::ConservedQuantity keep = {}) {
   HandleEvent out;
   out.kind = kind;
-  return out;
-}
-
-HandleEvent keeping(view::ConservedQuantity keep) {
-  HandleEvent out = meaning(HandleEvent::Kind::keep);
-  out.keep = keep;
-  return out;
-}
-
-HandleEvent spinning(HandleEvent::Kind kind, view::Axis axis) {
-  HandleEvent out = meaning(kind);
   out.axis = axis;
+  out.keep = keep;
   return out;
 }
 
 }  // namespace
 
-SpinHandles::SpinHandles(const ros::NodeHandle& private_handle)
-    : handle_(private_handle),
-      server_(private_handle.resolveName(names::kGrip)),
-      update_(
-          handle_.advertise<visualization_msgs::InteractiveMarkerUpdate>(std::string(names::kGrip) + "/update", 100)) {
+SpinHandles::SpinHandles(ros::NodeHandle private_handle)
+    : server_(private_handle.resolveName(names::kGrip)),
+      update_(private_handle.advertise<visualization_msgs::InteractiveMarkerUpdate>(
+          std::string(names::kGrip) + "/update", 100)) {
   using Kind = HandleEvent::Kind;
   const auto lead = menu_.insert("Lead Omega over the");
-  keep_energy_ = entry(lead, "energy ellipsoid (E stays)", keeping(view::ConservedQuantity::energy));
-  keep_momentum_ = entry(lead, "momentum ellipsoid (|L| stays)", keeping(view::ConservedQuantity::momentum));
+  keep_energy_ = entry(lead, "energy ellipsoid (E stays)", eventOf(Kind::keep, {}, view::ConservedQuantity::energy));
+  keep_momentum_ =
+      entry(lead, "momentum ellipsoid (|L| stays)", eventOf(Kind::keep, {}, view::ConservedQuantity::momentum));
   const auto spin = menu_.insert("Spin exactly about the axis of");
-  entry(spin, "smallest moment", spinning(Kind::axis, view::Axis::smallest));
-  entry(spin, "intermediate moment", spinning(Kind::axis, view::Axis::intermediate));
-  entry(spin, "largest moment", spinning(Kind::axis, view::Axis::largest));
+  entry(spin, "smallest moment", eventOf(Kind::axis, view::Axis::smallest));
+  entry(spin, "intermediate moment", eventOf(Kind::axis, view::Axis::intermediate));
+  entry(spin, "largest moment", eventOf(Kind::axis, view::Axis::largest));
   const auto near = menu_.insert("Spin near the axis of");
-  entry(near, "smallest moment: stable", spinning(Kind::near, view::Axis::smallest));
-  entry(near, "intermediate moment: flips", spinning(Kind::near, view::Axis::intermediate));
-  entry(near, "largest moment: stable", spinning(Kind::near, view::Axis::largest));
-  const auto separatrix =
-      menu_.insert("Spin exactly on the separatrix (to rounding)", [this](const Feedback& f) { add(f); });
-  meaning_[separatrix] = meaning(Kind::separatrix);
-  const auto reset = menu_.insert("Reset: the scene's own spins", [this](const Feedback& f) { add(f); });
-  meaning_[reset] = meaning(Kind::reset);
+  entry(near, "smallest moment: stable", eventOf(Kind::near, view::Axis::smallest));
+  entry(near, "intermediate moment: flips", eventOf(Kind::near, view::Axis::intermediate));
+  entry(near, "largest moment: stable", eventOf(Kind::near, view::Axis::largest));
+  entry(std::nullopt, "Spin exactly on the separatrix (to rounding)", eventOf(Kind::separatrix));
+  entry(std::nullopt, "Reset: the scene's own spins", eventOf(Kind::reset));
   showKept(view::ConservedQuantity::energy);
 }
 
-MenuHandler::EntryHandle SpinHandles::entry(MenuHandler::EntryHandle parent, const std::string& title,
-                                            const HandleEvent& event) {
-  const auto out = menu_.insert(parent, title, [this](const Feedback& feedback) { add(feedback); });
+MenuHandler::EntryHandle SpinHandles::entry(const std::optional<MenuHandler::EntryHandle>& parent,
+                                            const std::string& title, const HandleEvent& event) {
+  const MenuHandler::FeedbackCallback chosen = [this](const Feedback& feedback) { add(feedback); };
+  const auto out = parent ? menu_.insert(*parent, title, chosen) : menu_.insert(title, chosen);
   meaning_[out] = event;
   return out;
 }
@@ -129,15 +117,13 @@ void SpinHandles::make(const std::string& body, const std::string& frame, const 
 
   server_.insert(handle, [this](const Feedback& feedback) { add(feedback); });
   menu_.apply(server_, body);
-  frames_[body] = frame;
 }
 
 void SpinHandles::place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
-  const auto there = frames_.find(body);
-  const bool is_new = there == frames_.end() || there->second != frame;
-  const auto place = places_.find(body);
-  if (!is_new && place != places_.end() && place->second == point) return;
-  places_[body] = point;
+  const auto there = placed_.find(body);
+  const bool is_new = there == placed_.end() || there->second.frame != frame;
+  if (!is_new && there->second.point == point) return;
+  placed_[body] = {frame, point};
   if (is_new) {
     make(body, frame, point);
   } else {
@@ -146,22 +132,18 @@ void SpinHandles::place(const std::string& body, const std::string& frame, const
 }
 
 void SpinHandles::remove(const std::string& body) {
-  if (frames_.erase(body) == 0) return;
-  server_.erase(body);
-  places_.erase(body);
+  if (placed_.erase(body) > 0) server_.erase(body);
 }
 
 void SpinHandles::removeAll() {
-  frames_.clear();
+  placed_.clear();
   server_.clear();
-  places_.clear();
 }
 
 void SpinHandles::showKept(view::ConservedQuantity keep) {
-  menu_.setCheckState(keep_energy_,
-                      keep == view::ConservedQuantity::energy ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
-  menu_.setCheckState(keep_momentum_,
-                      keep == view::ConservedQuantity::momentum ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+  const bool energy = keep == view::ConservedQuantity::energy;
+  menu_.setCheckState(keep_energy_, energy ? MenuHandler::CHECKED : MenuHandler::UNCHECKED);
+  menu_.setCheckState(keep_momentum_, energy ? MenuHandler::UNCHECKED : MenuHandler::CHECKED);
   menu_.reApply(server_);
 }
 
@@ -182,11 +164,11 @@ void SpinHandles::update(const session::Session& session) {
   server_.applyChanges();
 }
 
-// The server takes the hand's place, whatever it is, for the handle's. It calls back while it holds its own lock, so
-// nothing is sent in between.
+// The server moves the handle to any place that a hand reports. It calls back while it holds its own lock, so nothing
+// is sent in between.
 void SpinHandles::putBack(const std::string& body) {
-  const auto found = places_.find(body);
-  if (found != places_.end()) server_.setPose(body, poseAt(found->second));
+  const auto found = placed_.find(body);
+  if (found != placed_.end()) server_.setPose(body, poseAt(found->second.point));
 }
 
 void SpinHandles::add(const Feedback& feedback) {

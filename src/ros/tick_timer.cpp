@@ -10,11 +10,11 @@
 namespace poinsot::node {
 namespace {
 
-constexpr std::chrono::milliseconds kLongestSleep{100};  // what does not wait for ticks is looked after so often
-constexpr std::chrono::milliseconds kLook{1};            // at a foreign clock
-constexpr std::chrono::seconds kStandsStill{1};          // a foreign clock that makes no tick due for so long,
-constexpr double kPeriodsStill = 3;                      // and for so many periods
-constexpr double kMostPeriodsBehind = 10;                // then the schedule is moved instead of caught up with
+constexpr std::chrono::milliseconds kLongestSleep{100};  // what needs no tick is served at least this often
+constexpr std::chrono::milliseconds kLook{1};            // between two looks at a foreign clock
+constexpr std::chrono::seconds kStandsStill{1};          // a foreign clock with no tick due for so long,
+constexpr double kPeriodsStill = 3;                      // and for so many periods, stands still
+constexpr double kMostPeriodsBehind = 10;                // later than that, the schedule is moved
 const ros::Time kOwnClockStart(1, 0);                    // not zero, which ROS reads as "no time yet"
 
 ros::WallDuration toWallDuration(std::chrono::steady_clock::duration time) {
@@ -40,7 +40,7 @@ TickTimer::Wake TickTimer::wait(const std::atomic<bool>& interrupted) {
 TickTimer::Wake TickTimer::waitSteady(const std::atomic<bool>& interrupted) {
   const auto due =
       origin_ + std::chrono::duration_cast<Steady::duration>(period_ * static_cast<double>(made_since_origin_ + 1));
-  // At least once, also where ticks take longer than their period: a node that is always late must still be heard.
+  // At least once, also where ticks take longer than their period: a node that is always late must still answer.
   callbacks_.callAvailable();
   for (Steady::time_point now, end = Steady::now() + kLongestSleep; (now = Steady::now()) < due;) {
     if (!ros::ok() || interrupted) return Wake::ended;

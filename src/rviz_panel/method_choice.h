@@ -13,7 +13,7 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** Which body is looked at, which method moves it, and at which step. */
+/** Chooses the body that is shown, the method that moves it, and its step. */
 class MethodChoice : public QWidget {
  public:
   explicit MethodChoice(NodeLink* link);

@@ -187,14 +187,6 @@ void NodeLink::connectAnew() {
   });
 }
 
-void NodeLink::setSpeed(double speed) {
-  speed_ = speed;
-}
-
-void NodeLink::seek(double time) {
-  seek_ = time;
-}
-
 void NodeLink::setEye(const std::array<double, 3>& eye) {
   if (eye_ == eye || !connection_ || connection_->viewpoint.getNumSubscribers() == 0) return;
   eye_ = eye;

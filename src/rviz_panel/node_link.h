@@ -20,11 +20,11 @@
 namespace poinsot::rviz_panel {
 
 /**
- * All that the panel has to do with ROS: the node's status, one body's state, and what is asked of the node.
+ * The panel's connection to ROS: the node's status, one body's state, and requests to the node.
  *
- * Lives on one thread, whose signals all come from there, and never waits: what may wait for the node or for the master
- * (service calls, subscribing) is done by workers. A node that falls silent is looked for anew, every two seconds, with
- * new subscriptions: those of before a restart of the master would hear nothing.
+ * It lives on one thread, from which all its signals come, and never waits: workers do what may wait for the node or
+ * for the master (service calls, subscribing). While a node is silent, it is looked for every two seconds with new
+ * subscriptions: those from before a restart of the master would hear nothing.
  */
 class NodeLink : public QObject {
   Q_OBJECT
@@ -41,12 +41,12 @@ class NodeLink : public QObject {
   void setBody(const QString& body);
   QString body() const { return QString::fromStdString(body_); }
 
-  /** Did the node's status arrive lately? */
+  /** Whether the node's status arrived within the last 1.5 s. */
   bool alive() const { return alive_; }
-  /** Has the node taken more than a moment over something it was asked for? */
+  /** Whether the node has taken more than a second over a service call. */
   bool waiting() const;
 
-  /** Says that what the user asked for is not even sent. */
+  /** Tells the user why what was asked for is not sent. */
   void refuse(const QString& why) { Q_EMIT refused(why); }
   void setPaused(bool paused);
   void step();
@@ -56,8 +56,8 @@ class NodeLink : public QObject {
   void setMethod(const QString& body, const QString& method, double step);
 
   // Topics: no more than twenty messages a second each, of which the last one is always sent.
-  void setSpeed(double speed);
-  void seek(double time);
+  void setSpeed(double speed) { speed_ = speed; }
+  void seek(double time) { seek_ = time; }
   /** Where the viewer's eye is [m], in the world frame; not sent again while it is there. */
   void setEye(const std::array<double, 3>& eye);
 
@@ -67,7 +67,7 @@ class NodeLink : public QObject {
   void statusReceived(const poinsot::NodeStatus& status);
   void stateReceived(const poinsot::BodyState& state);
   void descriptionReceived(const poinsot::BodyDescription& description);
-  /** What became of a service call, in the node's words. */
+  /** The outcome of a service call, in the node's words. */
   void done(const QString& message);
   void refused(const QString& message);
   /** A reset is asked for: t is to be 0, and to run forwards. */

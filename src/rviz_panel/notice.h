@@ -11,23 +11,23 @@ namespace poinsot::rviz_panel {
 class NodeLink;
 
 /**
- * The line that says what has just been done or refused, what the node is working out, or that nothing is amiss. Of
- * these it shows what matters most.
+ * The line that says what has just been done or refused, what the node is working out, or that all is well: whichever
+ * matters most.
  */
 class Notice : public QLabel {
  public:
   explicit Notice(const NodeLink* link);
 
-  /** What was done, for a few seconds; what takes long meanwhile is shown instead. */
+  /** Shows what was done for a few seconds; what takes long meanwhile is shown instead. */
   void say(const QString& message) { tell(message, false); }
-  /** What was refused or went wrong, for longer. */
+  /** Shows what was refused or went wrong for longer. */
   void refuse(const QString& message) { tell(message, true); }
   void showStatus(const NodeStatus& status);
-  /** That another scene was being made ready need not be said any more. */
+  /** Another scene plays: removes the news that it was being made ready. */
   void sceneChanged();
-  /** The node is gone. */
+  /** Forgets what the node told: it is gone. */
   void forgetNode();
-  /** Shows what is to be read now. */
+  /** Shows what matters most now. */
   void refresh();
 
  private:

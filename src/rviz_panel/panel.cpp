@@ -71,7 +71,7 @@ void Panel::onInitialize() {
 QWidget* Panel::makePage() {
   views_ = new ViewChoice(vis_manager_);
   node_ = new QLineEdit;
-  describe(node_, "node", "The name of the Poinsot node to lead; press Enter. Kept in the .rviz file.");
+  describe(node_, "node", "The name of the Poinsot node to control; press Enter. Kept in the .rviz file.");
   connect(node_, &QLineEdit::editingFinished, this, &Panel::takeTypedNode);
   auto* const page = new QWidget;
   auto* const layout = makeLayout<QVBoxLayout>(page, 6);
@@ -182,7 +182,7 @@ void Panel::onState(const BodyState& state) {
 void Panel::onLost() {
   controls_->setEnabled(false);
   banner_->setText(QString("No node answers at <b>%1</b>. Start one:<br><tt>roslaunch poinsot demo.launch</tt><br>(A "
-                           "recording plays without a node, and there is nothing to lead.)")
+                           "recording plays without a node, and cannot be controlled.)")
                        .arg(link_->node().toHtmlEscaped()));
   banner_->show();
   showText(node_, link_->node());

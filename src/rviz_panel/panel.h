@@ -21,7 +21,7 @@ class ResetGuard;
 class TimeControl;
 class ViewChoice;
 
-/** Leads one Poinsot node from within RViz, and reads out what its bodies do. See doc/panel.md. */
+/** Controls one Poinsot node from within RViz, and shows what its bodies do. See doc/panel.md. */
 class Panel : public rviz::Panel {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class Panel : public rviz::Panel {
   QSize sizeHint() const override;
 
  private:
-  /** All that needs a node. */
+  /** Makes all that needs a node. */
   QWidget* makeControls();
   QWidget* makePage();
   void listen();

@@ -11,7 +11,7 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** Reset, play or pause, step. */
+/** The buttons for reset, play or pause, and step. */
 class PlayButtons : public QWidget {
  public:
   explicit PlayButtons(NodeLink* link);

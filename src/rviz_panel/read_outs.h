@@ -12,7 +12,7 @@
 namespace poinsot::rviz_panel {
 
 /**
- * What one body's motion amounts to, in figures: energy, momentum, their drift, the true error, flips, cost, regime.
+ * The figures of one body's motion: energy, momentum, their drift, the true error, flips, cost, regime.
  */
 class ReadOuts : public QWidget {
  public:
@@ -20,7 +20,7 @@ class ReadOuts : public QWidget {
 
   void showStatus(const NodeStatus& status, const QString& body);
   void showState(const BodyState& state);
-  /** Nothing is known. */
+  /** Shows that nothing is known. */
   void clear();
 
  private:

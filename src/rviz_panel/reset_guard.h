@@ -12,8 +12,8 @@ namespace poinsot::rviz_panel {
 
 /**
  * Brings back what RViz's own Reset takes away for good: it drops all markers, and the node sends those that stand
- * still only to whoever subscribes anew. A display of markers that was filled and is all at once empty is switched off
- * and on, a few times.
+ * still only to new subscribers. A display of markers that was filled and is suddenly empty is switched off and on, up
+ * to five times.
  *
  * Reset also drops all meshes, but not their materials, and RViz 1.14 ends when it loads such a mesh again
  * (Ogre::ItemIdentityException). So materials of this package's meshes go here when their mesh has gone, before the

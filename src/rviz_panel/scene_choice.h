@@ -11,7 +11,7 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** Which scene plays: one of the package's, or a file of one's own. */
+/** Chooses the scene that plays: one of the package's, or a file of the user's. */
 class SceneChoice : public QWidget {
  public:
   explicit SceneChoice(NodeLink* link);

@@ -31,7 +31,7 @@ SpeedControl::SpeedControl(NodeLink* link) : link_(link) {
   connect(slider_, &QSlider::valueChanged, this, [this](int position) { ask(speed_scale::speedAt(position)); });
   connect(backwards_, &QToolButton::clicked, this, [this] { ask(std::abs(speed_)); });
   connect(link, &NodeLink::resetting, this, [this] {
-    if (backwards_->isChecked()) backwards_->click();  // nobody starts again in order to leave the start behind
+    if (backwards_->isChecked()) backwards_->click();  // after a reset t is to run forwards
   });
   connect(real_time, &QToolButton::clicked, this, [this] {
     showPosition(slider_, speed_scale::positionOf(1));

@@ -13,7 +13,7 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** How fast t runs, and in which direction. */
+/** Shows and sets how fast t runs, and in which direction. */
 class SpeedControl : public QWidget {
  public:
   explicit SpeedControl(NodeLink* link);

@@ -7,13 +7,13 @@
 
 namespace poinsot::rviz_panel {
 
-/** Whether another scene, method or spin, or a reset, is being worked out; a seek changes none of these. */
+/** Returns whether another scene, method or spin, or a reset, is being worked out; a seek changes none of these. */
 bool isChanging(const NodeStatus& status);
 
-/** What is being worked out, as "method rk4 of wing and seek"; empty when nothing is. */
+/** Returns what is being worked out, such as "method rk4 of wing and seek"; empty when nothing is. */
 QString activityText(const NodeStatus& status);
 
-/** The status of the body of that name; null where there is none. */
+/** Returns the status of the body of that name; null where there is none. */
 const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name);
 
 /** Keeps what the user has just chosen from being overwritten by a status from before that. */
@@ -21,7 +21,7 @@ class HoldOff {
  public:
   void begin() { since_.start(); }
   void end() { since_.invalidate(); }
-  /** Whether it was begun a moment ago; it does not come to its end while what was chosen is being worked out. */
+  /** Returns whether it was begun less than 0.7 s ago, or has not ended because what was chosen is being worked out. */
   bool holds(bool at_work = false);
 
  private:

@@ -16,7 +16,7 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** Where t is, and where it shall be: typed, or on a slider that spans a page of time. */
+/** Shows t and seeks to another: typed, or on a slider that spans a page of time. */
 class TimeControl : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-/** Small things that the parts of the panel share. */
+/** Widgets and functions that the parts of the panel share. */
 namespace poinsot::rviz_panel {
 
 /** Names a widget for tests and style sheets, and gives it a tooltip and what screen readers say. */
@@ -34,22 +34,22 @@ Button* makeButton(const QString& text, const QString& name, const QString& tip)
   return button;
 }
 
-/** A label whose letters are so many times as large as others. */
+/** Returns a label with letters `size` times as large as usual. */
 QLabel* makeLabel(const QString& text, double size = 1, bool bold = false);
 
-/** A label whose underlined letter leads to a widget. */
+/** Returns a label whose underlined letter moves the focus to a widget. */
 QLabel* labelOf(QWidget* widget, const QString& text);
 
-/** A list of at least so many letters' width. */
+/** Returns a list at least so many letters wide. */
 QComboBox* makeList(const QString& name, const QString& tip, int letters);
 
-/** A slider from 0 to `last`, whose handle jumps to where one clicks. */
+/** Returns a slider from 0 to `last` whose handle jumps to where the user clicks. */
 QSlider* makeSlider(const QString& name, const QString& tip, int last, int single_step, int page_step);
 
-/** Widgets side by side, null for free room. The one at place `wide` is given what room is left. */
+/** Returns widgets side by side, null for free space. The one at place `wide` takes the space that is left. */
 QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide = 1);
 
-/** Makes the letters of a widget so many times as large. */
+/** Makes the letters of a widget `size` times as large. */
 void setLetters(QWidget* widget, double size, bool bold = false);
 
 /**
@@ -74,7 +74,7 @@ class LiveEdit : public QLineEdit {
   bool held_ = false;
 };
 
-/** A label that never asks for more room than there is: what does not fit is shown as "…", and in full as a tooltip. */
+/** A label that takes only the space that there is: what does not fit is shown as "…", and in full as a tooltip. */
 class ElidedLabel : public QLabel {
  public:
   ElidedLabel();
@@ -91,7 +91,7 @@ class ElidedLabel : public QLabel {
 /** Shows these choices, the current one chosen, without a signal. Nothing happens while one of them is being picked. */
 void showChoices(QComboBox* combo, const QStringList& choices, const QString& current);
 
-/** Shows a text unless the user is at it. */
+/** Shows a text unless the user is editing the line. */
 void showText(QLineEdit* edit, const QString& text);
 
 /** Shows a position without a signal. */

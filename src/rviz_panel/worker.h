@@ -9,8 +9,8 @@
 namespace poinsot::rviz_panel {
 
 /**
- * A thread that does one job after another: what may wait for other programs. Whoever destroys a worker waits for its
- * jobs for a second at most; what takes longer is left to itself, and must therefore own what it uses.
+ * A thread that does one job after another, such as those that wait for other programs. Its destructor waits for a
+ * second at most; jobs that take longer go on by themselves, so a job must own what it uses.
  */
 class Worker {
  public:

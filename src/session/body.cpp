@@ -7,7 +7,7 @@
 namespace poinsot::session {
 namespace {
 
-constexpr int kFewPoints = 8;  // of a polhode of which only the kind is asked
+constexpr int kFewPoints = 8;  // of a polhode of which only the regime is needed
 
 }  // namespace
 
@@ -26,6 +26,18 @@ void Body::move(const Tick& tick) {
   const bool continues = MovingBody::move(tick);
   const double cpu = cost::threadCpuTime() - begin;
   if (continues && meter_) meter_->add(cpu, tick.time - before, state().time, motion());
+}
+
+double stepsTo(const Bodies& bodies, double time) {
+  double sum = 0;
+  for (const auto& body : bodies) sum += body->motion().stepsTo(time);
+  return sum;
+}
+
+double steppingCost(const Bodies& bodies) {
+  double sum = 0;
+  for (const auto& body : bodies) sum += body->steppingCost();
+  return sum;
 }
 
 }  // namespace poinsot::session

@@ -36,10 +36,7 @@ Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& 
     try {
       out.answers.push_back(apply(one, out.draft, read));
     } catch (const std::exception& error) {
-      Answer answer;
-      answer.refusal.emplace();
-      answer.refusal->detail = error.what();
-      out.answers.push_back(answer);
+      out.answers.push_back(refusedFor(error.what()));
     }
   }
   return out;

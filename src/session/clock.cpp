@@ -4,19 +4,9 @@
 
 namespace poinsot::session {
 
-Clock::Clock(double step_length) : step_length_(step_length) {}
-
 void Clock::pause(bool paused) {
   paused_ = paused;
   steps_left_ = 0;
-}
-
-void Clock::step() {
-  if (paused_) ++steps_left_;
-}
-
-void Clock::setSpeed(double speed) {
-  speed_ = speed;
 }
 
 void Clock::jumpTo(double t) {

@@ -1,6 +1,7 @@
 #include "poinsot/session/draft.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +13,7 @@
 namespace poinsot::session {
 namespace {
 
-/** The request takes the place of what asked for the same before. */
+/** Adds the request to those of the draft, in place of an earlier one of the same kind. */
 void note(const Request& request, Draft& draft) {
   const auto known = std::find_if(draft.requests.begin(), draft.requests.end(),
                                   [&](const Request& other) { return sameKind(request, other); });
@@ -23,7 +24,7 @@ void note(const Request& request, Draft& draft) {
   }
 }
 
-/** Whether both bodies start alike. */
+/** Returns whether both bodies start with the same place, velocity, attitude and Ω. */
 bool sameStart(const scene::Body& a, const scene::Body& b) {
   const bool same_place = a.translation.has_value() == b.translation.has_value() &&
                           (!a.translation || (a.translation->position == b.translation->position &&
@@ -32,15 +33,12 @@ bool sameStart(const scene::Body& a, const scene::Body& b) {
 }
 
 Answer load(const LoadScene& request, Draft& draft, const ReadScene& read) {
-  NamedScene found = read(request.scene);
   Draft out;
+  static_cast<NamedScene&>(out) = read(request.scene);
+  out.start_scene = out.scene;
   Answer answer;
-  answer.warnings = found.scene.warnings;
-  answer.scene = found.name;
-  out.scene = found.scene;
-  out.start_scene = std::move(found.scene);
-  out.name = std::move(found.name);
-  out.file = std::move(found.file);
+  answer.warnings = out.scene.warnings;
+  answer.scene = out.name;
   out.all = out.from_start = true;
   out.requests = {request};
   draft = std::move(out);
@@ -96,12 +94,12 @@ Answer reset(Draft& draft) {
 }  // namespace
 
 std::size_t indexOf(const scene::Scene& scene, const std::string& body) {
-  std::string names;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].name == body) return i;
-    names += (i ? ", " : "") + scene.bodies[i].name;
+    names.push_back(scene.bodies[i].name);
   }
-  throw scene::Error("there is no body \"" + body + "\"; allowed: " + names);
+  throw scene::Error("body: expected one of " + boost::algorithm::join(names, ", ") + ", got \"" + body + "\"");
 }
 
 bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene) {
@@ -125,8 +123,8 @@ Answer apply(const Asked& asked, Draft& draft, const ReadScene& read) {
 }
 
 std::string tooManySteps(const std::string& body, double time, double steps, double step) {
-  return "body \"" + body + "\": to t = " + numberText(time) + " s there are " + numberText(steps) + " steps of " +
-         numberText(step) + " s; allowed: at most " + numberText(kMostSteps) + ", nearer to t = 0";
+  return "body \"" + body + "\": expected at most " + numberText(kMostSteps) + " steps, got " + numberText(steps) +
+         " steps of " + numberText(step) + " s to t = " + numberText(time) + " s; nearer to t = 0 there are fewer";
 }
 
 }  // namespace poinsot::session

@@ -12,4 +12,18 @@ bool sameKind(const Request& a, const Request& b) {
   return true;
 }
 
+Refusal refusalOf(Reason reason, const std::vector<Request>& requests, const std::string& detail) {
+  Refusal out;
+  out.reason = reason;
+  out.requests = requests;
+  out.detail = detail;
+  return out;
+}
+
+Answer refusedFor(const std::string& problem) {
+  Answer out;
+  out.refusal = refusalOf(Reason::bad_request, {}, problem);
+  return out;
+}
+
 }  // namespace poinsot::session

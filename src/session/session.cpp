@@ -13,19 +13,6 @@ namespace {
 constexpr double kCoarseShare = 0.1;        // of a tick: where doubles lie further apart, t is seen to jump
 constexpr double kBesideSeparatrix = 3e-7;  // k': some last bits of E and |L|²
 
-Refusal refusalOf(Reason reason, const Request& request) {
-  Refusal out;
-  out.reason = reason;
-  out.requests = {request};
-  return out;
-}
-
-double stepsTo(const std::vector<std::unique_ptr<Body>>& bodies, double time) {
-  double sum = 0;
-  for (const auto& body : bodies) sum += body->motion().stepsTo(time);
-  return sum;
-}
-
 }  // namespace
 
 Session::Session(const Options& options, const NamedScene& scene, Built&& built, Job& job, Listener& listener)
@@ -36,12 +23,6 @@ Session::Session(const Options& options, const NamedScene& scene, Built&& built,
       bodies_(std::move(built.bodies)),
       playing_(scene),
       start_scene_(scene.scene) {}
-
-double Session::steppingCost() const {
-  double sum = 0;
-  for (const auto& body : bodies_) sum += body->steppingCost();
-  return sum;
-}
 
 Body& Session::drawn(std::size_t i) const {
   return preview_ && drag_.isOn(bodies_[i]->name()) ? *preview_ : *bodies_[i];
@@ -109,16 +90,16 @@ Answer Session::step() {
   if (clock_.paused()) {
     clock_.step();
   } else {
-    out.refusal = refusalOf(Reason::not_paused, Step{});  // no fault to be shown for long: the answer is enough
+    out.refusal = refusalOf(Reason::not_paused, {Step{}});  // no fault to be shown for long: the answer is enough
   }
   return out;
 }
 
 Answer Session::setSpeed(const SetSpeed& request) {
-  if (!std::isfinite(request.speed)) return refuse(refusalOf(Reason::not_finite, request));
+  if (!std::isfinite(request.speed)) return refuse(refusalOf(Reason::not_finite, {request}));
   const double cost = steppingCost();
   if (cost * std::abs(request.speed) > kMostLoad) {
-    Refusal out = refusalOf(Reason::too_fast, request);
+    Refusal out = refusalOf(Reason::too_fast, {request});
     out.figure = cost;
     out.limit = kMostLoad / cost;
     return refuse(out);
@@ -135,12 +116,12 @@ Answer Session::resetNow() {
 }
 
 Answer Session::seek(double time) {
-  if (!std::isfinite(time)) return refuse(refusalOf(Reason::not_finite, Seek{time}));
+  if (!std::isfinite(time)) return refuse(refusalOf(Reason::not_finite, {Seek{time}}));
   for (const auto& body : bodies_) {
     const double steps = body->motion().stepsTo(time);
     if (!(steps > kMostSteps)) continue;
     const MotionSetup& setup = body->motion().setup();
-    Refusal out = refusalOf(Reason::too_many_steps, Seek{time});
+    Refusal out = refusalOf(Reason::too_many_steps, {Seek{time}});
     out.body = body->name();
     out.method = setup.method;
     out.step = *setup.step;
@@ -160,9 +141,8 @@ Answer Session::seek(double time) {
     try {
       body->motion().at(time);
     } catch (const std::runtime_error& error) {  // range_error, NoConvergence
-      Refusal out = refusalOf(Reason::no_state, Seek{time});
+      Refusal out = refusalOf(Reason::no_state, {Seek{time}}, error.what());
       out.body = body->name();
-      out.detail = error.what();
       return refuse(out);
     }
   }
@@ -185,20 +165,16 @@ Answer Session::refuse(Refusal refusal) {
 }
 
 Answer Session::refuse(const Request& request, const std::string& detail) {
-  Refusal out = refusalOf(Reason::bad_request, request);
-  out.detail = detail;
-  return refuse(out);
+  return refuse(refusalOf(Reason::bad_request, {request}, detail));
 }
 
 std::optional<Refusal> Session::tooCostly(const Built& built) const {
-  double cost = 0;
-  for (const auto& body : built.bodies) cost += body->steppingCost();
+  double cost = session::steppingCost(built.bodies);
   for (std::size_t i = 0; i < bodies_.size() && !draft_->all; ++i) {
     if (draft_->bodies.count(i) == 0) cost += bodies_[i]->steppingCost();
   }
   if (!(cost * std::abs(clock_.speed()) > kMostLoad)) return std::nullopt;
-  Refusal out;
-  out.reason = Reason::too_fast;
+  Refusal out = refusalOf(Reason::too_fast, {});
   out.figure = cost;
   out.limit = kMostLoad / std::abs(clock_.speed());
   out.speed = clock_.speed();

@@ -11,7 +11,7 @@
 namespace poinsot::session {
 namespace {
 
-const char* const kRestsText = "it is at rest, and has no spin to go by; ~set_spin and ~reset give it one";
+const char* const kExpectedSpin = "expected a body that spins, got one at rest; ~set_spin and ~reset give it a spin";
 
 }  // namespace
 
@@ -69,18 +69,18 @@ void Session::press(const Body& body, Nanoseconds now) {
 
 void Session::lead(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
                    const std::string& frame) {
+  const std::string grip = "grip of " + event.body + ": ";
   const std::size_t i = indexOf(playing_.scene, event.body);
   const Body& body = *bodies_[i];
   if (event.frame != frame) {
-    throw scene::Error("grip of " + event.body + ": a place in frame \"" + event.frame + "\"; allowed: frame " + frame);
+    throw scene::Error(grip + "expected a point in frame " + frame + ", got one in frame \"" + event.frame + "\"");
   }
-  if (body.state().omega_body.isZero(0)) throw scene::Error("grip of " + event.body + ": " + kRestsText);
+  if (body.state().omega_body.isZero(0)) throw scene::Error(grip + kExpectedSpin);
   const std::optional<Eigen::Vector3d> omega_body = ledTo(
       {body.motion().setup().inertia, body.state().omega_body, body.companion().frame(), keep_}, event.point, eye);
   if (!omega_body) {
-    throw scene::Error("grip of " + event.body + ": (" + numberText(event.point.x()) + ", " +
-                       numberText(event.point.y()) + ", " + numberText(event.point.z()) +
-                       ") m is no place to lead Omega to; allowed: finite places off the centre");
+    throw scene::Error(grip + "expected a finite point (m) off the centre, got (" + numberText(event.point.x()) + ", " +
+                       numberText(event.point.y()) + ", " + numberText(event.point.z()) + ")");
   }
   press(body, now);
   drag_.touch(now);
@@ -121,7 +121,7 @@ void Session::choose(const HandleEvent& event) {
   endDrag();
   const PrincipalInertia& inertia = body.motion().setup().inertia;
   const Eigen::Vector3d omega = inertia.toPrincipal(body.state().omega_body);
-  if (omega.isZero(0)) throw scene::Error("spin of " + event.body + ": " + kRestsText);
+  if (omega.isZero(0)) throw scene::Error("spin of " + event.body + ": " + kExpectedSpin);
   Eigen::Vector3d chosen;
   if (event.kind == HandleEvent::Kind::axis) {
     chosen = view::axisSpin(inertia.moments(), omega, keep_, event.axis);
@@ -131,7 +131,8 @@ void Session::choose(const HandleEvent& event) {
     try {
       chosen = view::onSeparatrix(inertia.moments(), omega, keep_);
     } catch (const std::invalid_argument& error) {
-      throw scene::Error("spin of " + event.body + ": " + error.what() + "; allowed: spins about or near an axis");
+      throw scene::Error("spin of " + event.body + ": " +
+                         "expected a spin about or near an axis, got one on the separatrix: " + error.what());
     }
   }
   ask(SetSpin{event.body, inertia.toBody(chosen)});

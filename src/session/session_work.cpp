@@ -1,4 +1,4 @@
-// What is worked out: from requests that change bodies to the bodies that play.
+// From requests that change bodies to the bodies that play.
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -13,13 +13,12 @@
 namespace poinsot::session {
 namespace {
 
-/** Takes no longer than a tick may: needs neither a file nor trials of a step. */
+/** Returns whether the request needs neither a file nor trials of a step, so that it is done between two ticks. */
 bool isQuick(const Request& request) {
   return !std::holds_alternative<LoadScene>(request) && !std::holds_alternative<SetMethod>(request);
 }
 
-/** What can be said of a method without a trial, before work that is under way is given up for it. Throws scene::Error.
- */
+/** Throws scene::Error for a method that cannot move the body, before work that is under way is given up for it. */
 void requireMethod(const scene::Scene& scene, const SetMethod& request) {
   const scene::Body& body = scene.bodies[indexOf(scene, request.body)];
   const std::vector<std::string> names = scene::methodsFor(body);
@@ -28,13 +27,10 @@ void requireMethod(const scene::Scene& scene, const SetMethod& request) {
   scene::withMethod(body, request.method, request.step, warnings);  // throws, with the methods that there are
 }
 
-/** The answers where preparing itself has failed. */
+/** Returns the answers to requests where preparing itself has failed. */
 Prepared nothingPrepared(std::size_t asked, const std::string& problem) {
   Prepared out;
-  Answer answer;
-  answer.refusal.emplace();
-  answer.refusal->detail = problem;
-  out.answers.assign(asked, answer);
+  out.answers.assign(asked, refusedFor(problem));
   return out;
 }
 
@@ -48,10 +44,8 @@ bool Session::loading() const {
 
 Draft Session::present() const {
   Draft out;
-  out.scene = playing_.scene;
+  static_cast<NamedScene&>(out) = playing_;
   out.start_scene = start_scene_;
-  out.name = playing_.name;
-  out.file = playing_.file;
   return out;
 }
 
@@ -63,10 +57,11 @@ void Session::enqueue(const Request& request, const Reply& reply) {
   try {
     if (auto* load = std::get_if<LoadScene>(&one.asked.request)) {
       if (load->scene.empty()) load->scene = playing_.file;
-      if (load->scene.empty()) throw scene::Error("the present scene came without a file; allowed: a name or a path");
+      if (load->scene.empty())
+        throw scene::Error("scene: expected a name or a path, got none: the present scene has no file");
       load->scene = options_.find(load->scene);
     } else if (loading()) {
-      throw scene::Error("another scene is being made ready; allowed: the same when it plays");
+      throw scene::Error("expected no such request while another scene is being made ready; ask again when it plays");
     } else if (const auto* method = std::get_if<SetMethod>(&request)) {
       requireMethod(playing_.scene, *method);
     } else if (const auto* spin = std::get_if<SetSpin>(&request)) {
@@ -211,10 +206,7 @@ void Session::takeOutcome() {
       if (outcome) {
         takeBuilt(std::get<Built>(std::move(*outcome)));
       } else {
-        Refusal refusal;
-        refusal.reason = Reason::cannot_be_made;
-        refusal.detail = problem;
-        giveUpDraft(std::move(refusal));
+        giveUpDraft(refusalOf(Reason::cannot_be_made, {}, problem));
       }
       return;
     case Work::Kind::seeking:
@@ -224,11 +216,7 @@ void Session::takeOutcome() {
         for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->replaceMotion(std::move(there.motions[i]));
         jumpTo(there.time);
       } else {
-        Refusal refusal;
-        refusal.reason = Reason::no_state;
-        refusal.requests = {Seek{*std::exchange(seek_, std::nullopt)}};
-        refusal.detail = problem;
-        refuse(std::move(refusal));
+        refuse(refusalOf(Reason::no_state, {Seek{*std::exchange(seek_, std::nullopt)}}, problem));
       }
       return;
     case Work::Kind::none:
@@ -242,9 +230,7 @@ void Session::takeBuilt(Built&& built) {
     return;
   }
   // t has gone on meanwhile, and may have been sent far away.
-  double steps = 0;
-  for (const auto& body : built.bodies) steps += body->motion().stepsTo(comingTime());
-  if (steps <= kMostTickSteps) {
+  if (stepsTo(built.bodies, comingTime()) <= kMostTickSteps) {
     exchange(std::move(built));
     return;
   }

@@ -299,7 +299,7 @@ class GripTest(unittest.TestCase):
         for bad in ([0, 0, 0], [math.inf, 0, 0], [0, -math.inf, 1], [math.nan] * 3):
             before = self.press()
             self.act(InteractiveMarkerFeedback.POSE_UPDATE, bad)
-            self.refuse("brick", "allowed: finite places off the centre")
+            self.refuse("brick", "expected a finite point (m) off the centre, got (")
             self.act(InteractiveMarkerFeedback.MOUSE_UP)
             after = self.states.next_where(lambda s: s.time_rate == 1)
             self.assertEqual(after.segment, before.segment, bad)
@@ -313,7 +313,7 @@ class GripTest(unittest.TestCase):
             for _ in range(10):
                 self.act(InteractiveMarkerFeedback.POSE_UPDATE, [math.nan, 0, math.inf])
             self.states.next()
-        self.refuse("brick", "allowed: finite places off the centre")
+        self.refuse("brick", "expected a finite point (m) off the centre, got (")
         self.assertGreater(self.updates.count(), since)
 
     def test_after_a_forbidden_place_the_last_good_one_counts(self):
@@ -322,7 +322,7 @@ class GripTest(unittest.TestCase):
         self.lead(direction)
         for bad in ([0, 0, 0], [math.inf, 0, 0]):
             self.act(InteractiveMarkerFeedback.POSE_UPDATE, bad)
-        self.refuse("allowed: finite places")
+        self.refuse("expected a finite point")
         after = self.let_go()
         np.testing.assert_allclose(unit(array(after.omega_body)), unit(direction), rtol=1e-9)
 
@@ -339,7 +339,7 @@ class GripTest(unittest.TestCase):
         self.act(InteractiveMarkerFeedback.POSE_UPDATE, [1, 0, 0], body="nobody")  # not one of the server's
         self.act(InteractiveMarkerFeedback.POSE_UPDATE, [1, 0, 0], frame="world")
         # Feedback is answered in order: what came before has had its effect, if any.
-        self.refuse("world", "allowed: frame brick_model")
+        self.refuse('expected a point in frame brick_model, got one in frame "world"')
         self.assertEqual({s.segment for s in self.states.more(20)}, {before.segment})
 
     # The menu.

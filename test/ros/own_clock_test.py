@@ -202,7 +202,7 @@ class OwnClockTest(unittest.TestCase):
             def heard():
                 control.seek(math.nan)
                 time.sleep(0.1)
-                return any("seek to nan" in m.msg for m in log.all())
+                return any("seek refused: expected a finite time (s), got nan" in m.msg for m in log.all())
             graph.wait_for(heard, what="the node's log")
             control.seek(90000.0)
             graph.wait_for(lambda: any("playing on meanwhile" in m.msg for m in log.all()), what="the seek to begin")

@@ -11,7 +11,7 @@
 #include <QString>
 #include <string>
 
-/** What anybody hears of the node's topics, whatever the panel makes of them. */
+/** Listens to the node's topics beside the panel. */
 class NodeWatcher {
  public:
   explicit NodeWatcher(const std::string& body);

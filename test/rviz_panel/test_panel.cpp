@@ -561,7 +561,7 @@ TEST_F(Panel, aViewLooksDownThePresentL) {
       << towards_the_eye();  // from above, where L is nearly upright
   ASSERT_TRUE(spin_to(2, -1, 1));
   EXPECT_TRUE(until([&] { return towards_the_eye() > 0.9999; })) << towards_the_eye();
-  // Whoever turns the camera is left alone, until the view is chosen again.
+  // A camera that the user has turned stays as it is until the view is chosen again.
   views->getCurrent()->subProp("Yaw")->setValue(1.0 + views->getCurrent()->subProp("Yaw")->getValue().toDouble());
   spin(1);
   EXPECT_LT(towards_the_eye(), 0.99);

@@ -34,7 +34,7 @@ Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   return {before, outwards.x() - kLooksAside * before, outwards.y() + kLooksDown * before};
 }
 
-/** L, and its name. */
+/** Puts the arrow of L, and its name. */
 void appendArrow(const Subject& subject, const Eigen::Vector3d& momentum_world, const Eigen::Vector3d& torque_world,
                  bool shown, Canvas& canvas) {
   const MarkerFactory& factory = subject.factory;

@@ -18,7 +18,7 @@ using Parts = std::vector<std::unique_ptr<Part>>;
 using Still = void (*)(const Subject&, Canvas&);
 using Moving = void (*)(const Subject&, const Now&, Canvas&);
 
-/** A part that remembers nothing. */
+/** A part without memory. */
 class Plain : public Part {
  public:
   explicit Plain(Still still) : still_(still) {}
@@ -79,7 +79,7 @@ Parts partsOf(const Subject& subject, const Motion& motion) {
   return list;
 }
 
-/** Says anew how the pictures stand and how large they are. */
+/** Sets how the pictures stand and how large they are. */
 void layOut(Subject& subject, const Motion& motion, BodyPicture::Detail detail) {
   view::PictureFrame& out = subject.frame;
   if (motion.torques() && detail == BodyPicture::Detail::pictures) {

@@ -26,7 +26,7 @@ void appendEllipsoids(const Subject& subject, const Picture& picture, double kin
     m.pose.orientation = toQuaternion(subject.inertia.axes());
     canvas.put(m);
   };
-  // A sphere's two are one: of two opaque ones now the one would be seen, now the other.
+  // The two ellipsoids of a sphere coincide: two opaque ones would flicker.
   const bool is_sphere = moments.minCoeff() == moments.maxCoeff();
   put(names::kEnergyEllipsoid, view::energySemiAxes(moments, kinetic_energy), palette::kEnergy);
   put(names::kMomentumEllipsoid, view::momentumSemiAxes(moments, momentum_squared),

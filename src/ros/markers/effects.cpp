@@ -13,7 +13,7 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr double kHiddenShare = 0.5;  // of the body, in which an arrow that is no longer ends unseen
+constexpr double kHiddenShare = 0.5;  // of the body's reach: shorter arrows end unseen inside it
 constexpr double kMostBeyond = 1.2;   // times the length of the largest torque that was expected
 constexpr double kPivotDiameter = 0.13;
 constexpr double kRodDiameter = 0.05;
@@ -25,14 +25,14 @@ constexpr double kWayWidth = 0.022;
 enum TorqueId { kAtBody, kAtMomentum };
 enum GravityId { kPivot, kRod, kWeight, kToCentre, kWay };
 
-/** Beyond the tip of an arrow, and to its side for a viewer at +x where it points at him. */
+/** Returns a place beyond the tip of an arrow; beside the tip where the arrow points at a viewer at +x. */
 Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d seen(0, direction.y(), direction.z());
   const Eigen::Vector3d to_side = seen.norm() > 0.3 ? seen.normalized() : Eigen::Vector3d(0, -0.7, 0.7);
   return tip + layout::kBesideEffect * to_side;
 }
 
-/** An arrow in <body>/gravity, and its name. */
+/** Puts an arrow in <body>/gravity, and its name. */
 void putGravity(const MarkerFactory& factory, GravityId id, LabelId symbol_id, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& direction, double length, const char* symbol, Canvas& canvas) {
   const Eigen::Vector3d tip = from + length * direction;
@@ -89,7 +89,7 @@ void appendTorque(const Subject& subject, const Now& now, Canvas& canvas) {
     if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
     const bool drawn = way.norm() > layout::kLeastTorque && way.allFinite();
     canvas.show(drawn, factory.arrow(ns, id, frame, from, from + way, palette::kTorque));
-    // A name alone would puzzle.
+    // No name where the arrow ends inside the body.
     canvas.show(drawn && way.norm() >= hidden, factory.text(symbol_id, frame, beyond(from + way, way.normalized()),
                                                             "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
   };

@@ -11,7 +11,7 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr session::Nanoseconds kFiguresPause = session::kSecond / 4;  // what changed with every tick could not be read
+constexpr session::Nanoseconds kFiguresPause = session::kSecond / 4;  // slow enough to be read
 constexpr session::Nanoseconds kFlipsPause = session::kSecond / 10;
 
 std::string methodOf(const MotionSetup& setup) {

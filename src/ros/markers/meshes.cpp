@@ -29,8 +29,9 @@ struct PackageFile {
 };
 
 [[noreturn]] void refuse(const scene::Appearance& appearance, const std::string& problem) {
-  throw scene::Error(appearance.place + appearance.mesh + ": " + problem +
-                     "; allowed: a mesh that is there, such as package://poinsot/meshes/book.dae");
+  throw scene::Error(appearance.place +
+                     "expected the address of a mesh, such as package://poinsot/meshes/book.dae, got " +
+                     appearance.mesh + ": " + problem);
 }
 
 }  // namespace

@@ -22,39 +22,39 @@ struct Now {
 };
 
 /**
- * One thing that is drawn of a body: some markers, with namespaces and ids that no other part uses. It overrides what
- * it has to say. What moves is stamped for it.
+ * One thing that is drawn of a body: some markers, with namespaces and ids that no other part uses. A part overrides
+ * the functions that it needs. What moves is stamped for it.
  */
 class Part {
  public:
   virtual ~Part() = default;
 
-  /** What stands still. */
+  /** Appends what stands still. */
   virtual void appendStatic(const Subject& /*subject*/, Canvas& /*canvas*/) const {}
 
-  /** What moves, at one tick. */
+  /** Appends what moves, at one tick. */
   virtual void appendMoving(const Subject& /*subject*/, const Now& /*now*/, Canvas& /*canvas*/) {}
 
-  /** What tells figures. */
+  /** Appends what shows figures. */
   virtual void appendFigures(const Subject& /*subject*/, const session::Tick& /*tick*/, const Figures& /*figures*/,
                              Canvas& /*canvas*/) {}
 
-  /** Forgets where the body was: nobody looked, or the motion jumped. */
+  /** Forgets where the body was: there was no viewer, or the motion jumped. */
   virtual void clearTrail() {}
 
-  /** The next markers hold also what is sent only now and then. */
+  /** Has the next markers hold also what is sent only now and then. */
   virtual void sendAllNext() {}
 };
 
-/** As std::printf formats it. */
+/** Returns the value as std::printf formats it. */
 std::string formatted(const char* format, double value);
 
-/** When what is sent only now and then is due. Stamps may begin anew. */
+/** Says when what is sent only now and then is due. Stamps may go back. */
 class Cadence {
  public:
   explicit Cadence(session::Nanoseconds pause) : pause_(pause) {}
 
-  /** Whether it is to be sent now, by its pause or because it shall be; then the next one is due a pause later. */
+  /** Returns whether it is to be sent now: after its pause, or `anyway`. Then the next is due a pause later. */
   bool due(session::Nanoseconds now, bool anyway = false) {
     const bool out = anyway || !sent_ || now < *sent_ || now >= *sent_ + pause_;
     if (out) sent_ = now;
@@ -67,7 +67,7 @@ class Cadence {
   std::optional<session::Nanoseconds> sent_;
 };
 
-/** Whether a size has changed so much since it was drawn that it shows. */
+/** Returns whether a size has visibly changed since it was drawn. */
 inline bool differs(double size, double drawn) {
   constexpr double kVisible = 0.002;  // relative: 2 mm of a picture
   return std::abs(size - drawn) > kVisible * drawn;

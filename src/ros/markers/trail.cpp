@@ -25,7 +25,7 @@ constexpr double kPathTolerance = 0.002;  // m
 constexpr double kPathSpacing = 0.2;      // m, at most
 constexpr session::Nanoseconds kPathPause = session::kSecond / 4;
 
-/** Of the polhode that Ω runs through [rad/s]. */
+/** Returns the length of the polhode that Ω runs through [rad/s]. */
 double lengthOf(const view::Polhode& polhode) {
   double length = 0;
   if (polhode.branches.empty()) return length;
@@ -34,7 +34,7 @@ double lengthOf(const view::Polhode& polhode) {
   return length;
 }
 
-/** The newest stretch of the way that Ω has gone; it fades towards its end. */
+/** The newest stretch of the path of Ω; it fades towards its end. */
 class Trail : public Part {
  public:
   explicit Trail(double length)  // [m]
@@ -106,7 +106,7 @@ class Path : public Trail {
   void sendAllNext() override { cadence_.reset(); }
 
  private:
-  /** The pieces before the last: those of today where the size has changed, else one in turn, for who came later. */
+  /** Appends pieces before the last: the newest where the size has changed; else one in turn, for later viewers. */
   void appendOlder(const Subject& subject, Canvas& canvas) {
     const std::size_t last = path_.endPiece() - 1;
     if (last == path_.firstPiece()) return;

@@ -93,7 +93,7 @@ TEST(MarkerTracker, leftoversHoldAllThatIsEverDrawn) {
     ++scenes;
     const scene::Scene scene = scene::readFile(file.path());
     for (scene::Body body : scene.bodies) {
-      if (body.accuracy) {  // whatever moves it, it is drawn alike
+      if (body.accuracy) {  // it is drawn alike by every method
         body.method = body.effects.empty() ? "rk4" : "taylor8";
         body.step = 0.01;
       }

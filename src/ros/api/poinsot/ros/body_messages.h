@@ -12,14 +12,14 @@
 #include "poinsot/session/moving_body.h"
 #include "poinsot/view/picture_frame.h"
 
-/** What is sent of a body, but for its markers. */
+/** The messages about a body, apart from its markers. */
 namespace poinsot::node {
 
-/** The body in world, and its attitude in the picture in world axes. */
+/** Appends the transforms of the body in world, and of its attitude in the picture in world axes. */
 void appendTransforms(const session::MovingBody& body, const names::Frames& frames, const ros::Time& stamp,
                       std::vector<geometry_msgs::TransformStamped>& out);
 
-/** Where its two pictures stand. */
+/** Appends the transforms of the body's two pictures. */
 void appendStaticTransforms(const names::Frames& frames, const view::Layout& layout, const ros::Time& stamp,
                             std::vector<geometry_msgs::TransformStamped>& out);
 

@@ -14,7 +14,7 @@
 
 #include "poinsot/session/tick.h"
 
-/** Between the project's types and ROS's, all in one place. */
+/** Conversions between the project's types and ROS's. */
 namespace poinsot::node {
 
 geometry_msgs::Point toPoint(const Eigen::Vector3d& v);
@@ -22,13 +22,13 @@ geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v);
 geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& q);
 geometry_msgs::Transform toTransform(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation);
 
-/** A stamp that is not negative. */
+/** @param stamp not negative. */
 ros::Time toTime(session::Nanoseconds stamp);
 session::Nanoseconds toNanoseconds(const ros::Time& stamp);
 
 /**
- * A parameter tree as the YAML that it was loaded from. Numbers keep all their digits.
- * Throws std::invalid_argument for values that YAML scenes do not have (dates, binary data), naming the place.
+ * Returns a parameter tree as the YAML that it was loaded from. Numbers keep all their digits.
+ * Throws std::invalid_argument, with the place, for values that scenes do not have (dates, binary data).
  */
 YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& place);
 

@@ -11,14 +11,14 @@
 
 namespace poinsot::node {
 
-/** /diagnostics: how regularly the node ticks, and how each body fares. */
+/** Publishes /diagnostics: how regularly the node ticks, and how accurate each body's motion is. */
 class Diagnostics {
  public:
-  /** @param rate that was asked for [Hz]; all outlive it. */
+  /** @param rate that was asked for [Hz]. timer and session outlive it. */
   Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, double rate, TickTimer& timer,
               const session::Session& session);
 
-  /** The bodies are others now. */
+  /** To be called when other bodies play. */
   void bodiesChanged();
   /** Publishes when it is due. */
   void update() { updater_.update(); }

@@ -5,8 +5,8 @@
 namespace poinsot::node {
 
 /**
- * From the first call on, SIGINT and SIGTERM set the flag that is returned, and no more: ROS stays up until whoever
- * uses it has come to an end. The second signal of a kind ends the program at once.
+ * Returns a flag that SIGINT and SIGTERM set from the first call on. They do nothing else: ROS stays up until those
+ * that use it have ended. The second signal of a kind ends the program at once.
  */
 const std::atomic<bool>& interruptFlag();
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/ros/body_topics.h"
 #include "poinsot/ros/diagnostics.h"
 #include "poinsot/ros/parameters.h"
 #include "poinsot/ros/scene_topics.h"
@@ -33,7 +34,7 @@ namespace poinsot::node {
 class Node : private session::Listener {
  public:
   /**
-   * @param interrupted makes it give up, here and in run().
+   * @param interrupted ends the constructor and run() early.
    * Throws scene::Error for an accuracy that is out of reach; ParameterError for a scene that this machine cannot step
    * in real time; cost::Cancelled.
    */
@@ -51,19 +52,19 @@ class Node : private session::Listener {
 
  private:
   void tick(session::Nanoseconds now);
-  /** What waits for no tick. */
+  /** Does what is to be done also while no tick comes. */
   void serve();
-  void onSpeed(const std_msgs::Float64& message);
-  void onSeek(const std_msgs::Float64& message);
+  void onSpeed(const std_msgs::Float64& message) { session_->ask(session::SetSpeed{message.data}); }
+  void onSeek(const std_msgs::Float64& message) { session_->ask(session::Seek{message.data}); }
   void onViewpoint(const geometry_msgs::PointStamped& message);
-  /** Where it is due: by the wall, so that one can tell a node whose clock stands still from one that is gone. */
+  /** Publishes it when it is due by the wall's time: it goes on while the node's clock stands still. */
   void publishStatus();
 
-  // What the session tells.
+  // session::Listener
   void bodiesChanged(const std::vector<std::string>& names, bool another_scene) override;
-  void previewChanged(const std::string& body) override;
-  void previewEnded(const std::string& body) override;
-  void keepsAnotherEllipsoid(view::ConservedQuantity keep) override;
+  void previewChanged(const std::string& body) override { topics_.previewChanged(body); }
+  void previewEnded(const std::string& body) override { topics_.previewEnded(*session_, body); }
+  void keepsAnotherEllipsoid(view::ConservedQuantity keep) override { handles_->showKept(keep); }
   void refused(const session::Refusal& refusal) override;
   void warned(const std::string& warning) override;
   void chose(const std::string& choice) override;
@@ -74,7 +75,7 @@ class Node : private session::Listener {
   void stampsJumpedAhead(double by) override;
   void timeLeftTheRange(double time, double speed) override;
 
-  /** Whoever looks at the pictures, and from where. */
+  /** Who looks at the pictures, and from where. */
   struct Viewer {
     ros::Subscriber subscriber;
     std::optional<Eigen::Vector3d> eye;  ///< world axes [m]
@@ -90,6 +91,7 @@ class Node : private session::Listener {
   TickTimer timer_;
   session::ThreadJob job_;
   SceneTopics topics_;
+  const std::shared_ptr<PublisherStore> publishers_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<SpinHandles> handles_;
   std::unique_ptr<Diagnostics> diagnostics_;

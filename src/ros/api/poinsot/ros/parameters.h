@@ -18,7 +18,7 @@ struct Parameters {
   std::string frame_prefix;
 };
 
-/** A parameter that is refused; what() names it, its value and what is allowed. */
+/** A parameter that is refused; what() names it, its value and what was expected. */
 class ParameterError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -63,12 +63,11 @@ class SceneBag {
   void writeMoving(const session::Tick& tick);
   void clearLeftovers(bool& cleared, visualization_msgs::MarkerArray& markers) const;
 
-  /** A body, its picture where there is to be one, and the names of its topics. */
+  /** A body, and its picture where there is to be one. */
   struct Entry {
     Entry(const scene::Body& scene_body, BodyPicture::Detail detail);
     session::MovingBody body;
     names::Frames frames;
-    std::string state, odometry, description;
     std::unique_ptr<BodyPicture> picture;
     view::PictureFrame frame;
   };

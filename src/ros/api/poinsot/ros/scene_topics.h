@@ -15,42 +15,42 @@
 
 namespace poinsot::node {
 
-/** The topics of the scene as a whole: tf and markers, each in two parts, one that stands still and one that moves. */
+/** The topics of the whole scene: tf and markers, each in two parts, one that stands still and one that moves. */
 class SceneTopics {
  public:
   explicit SceneTopics(ros::NodeHandle handle);
 
-  /** All that stands still, for the first time. */
+  /** Publishes all that stands still, for the first time. */
   void begin(const session::Session& session, const ros::Time& stamp);
-  /** The same again. */
+  /** Publishes it again. */
   void publishStatic(const session::Session& session, const ros::Time& stamp);
-  /** Another scene plays: all that was drawn goes. */
+  /** Another scene plays: deletes all that was drawn. */
   void sceneChanged(const session::Session& session, const ros::Time& stamp);
-  /** Bodies of these names are others now: what is drawn of them begins anew. */
+  /** Bodies of these names were replaced: what is drawn of them begins anew. */
   void bodiesChanged(const session::Session& session, const std::vector<std::string>& names, const ros::Time& stamp);
 
-  /** A body that is held is drawn otherwise: told with the next tick, but not too often. */
+  /** A body that is held is drawn differently: published with the next tick, at most 20 times a second. */
   void previewChanged(const std::string& body);
-  /** It is drawn again as it was. */
+  /** The body is drawn as before again. */
   void previewEnded(const session::Session& session, const std::string& body);
 
-  /** What moves, and what each body says, at a tick. */
+  /** Publishes what moves, and the state of each body, at a tick. */
   void publish(const session::Session& session, const session::Tick& tick);
 
-  /** Between two ticks that lie far apart in the wall's time, or while ROS time stands still. */
+  /** Serves new viewers between two ticks that lie far apart in the wall's time, or while ROS time stands still. */
   void publishToNewViewers(const session::Session& session);
 
-  /** Sends what stands still once more where that is due. */
+  /** Publishes what stands still once more where that is due. */
   void resendStatic(const session::Session& session);
 
  private:
   void publishStaticMarkers(const session::Session& session);
-  /** @return whether there was something new to show. */
+  /** Returns whether there was something new to show. */
   bool publishPreview(const session::Session& session);
-  /** What moves, after the deletion of what is to go. */
+  /** Publishes what moves, after the deletion of what is to go. */
   void publishMoving(visualization_msgs::MarkerArray markers);
   void publishMarkers(const session::Session& session, const session::Tick& tick);
-  /** What a node that has ended may have drawn in the names of these bodies goes, while this one is young. */
+  /** While this node is young, marks for deletion what an earlier node may have drawn for bodies of these names. */
   void withdrawLeftovers(const session::Session& session, MarkerTracker& markers) const;
 
   // Not broadcasters of tf2_ros: they have no callback for new subscribers, and never forget the frames of another
@@ -63,7 +63,7 @@ class SceneTopics {
   ros::SteadyTime began_, transforms_sent_, preview_sent_;
   bool markers_have_new_viewer_ = false;  ///< since the last tick
   bool markers_watched_ = false;
-  std::optional<ros::SteadyTime> resend_static_at_;  ///< for whoever subscribed last
+  std::optional<ros::SteadyTime> resend_static_at_;  ///< for the last subscriber
   bool preview_is_new_ = false;
 };
 

@@ -20,8 +20,8 @@
 namespace poinsot::node {
 
 /**
- * The node's services. They have a thread of their own, which posts what is asked for to the session's thread and waits
- * for the answer, so that a call that takes long holds up nothing but other calls.
+ * The node's services. They have a thread of their own, which posts requests to the session's thread and waits for the
+ * answers, so that a call that takes long delays nothing but other calls.
  */
 class Services {
  public:
@@ -39,9 +39,9 @@ class Services {
   ~Services();
 
  private:
-  /** Asks in the session's thread, and waits for the answer. Throws std::runtime_error where there is none. */
+  /** Asks in the session's thread and returns the answer. Throws std::runtime_error where none comes. */
   session::Answer answerTo(const session::Request& request);
-  /** Fills the response in; what is done is told by `words`. */
+  /** Fills the response in. @param words says what is done. */
   template <class Response, class Words>
   bool respond(const session::Request& request, Response& response, const Words& words);
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,44 +16,48 @@
 namespace poinsot::node {
 
 /**
- * The interactive markers by which one takes hold of Ω in RViz: one a body, a ball around the point Ω of the picture in
- * body axes, with a menu. They only say what hands do; what comes of it is the session's affair.
+ * The interactive markers by which users take hold of Ω in RViz: one a body, a ball around the point Ω of the picture
+ * in body axes, with a menu. They report what hands do; the session decides what follows.
  *
  * What hands do waits for take(): the server of interactive markers calls back while it holds its own lock, so nothing
  * is sent and no marker is made or erased in between.
  */
 class SpinHandles {
  public:
-  explicit SpinHandles(const ros::NodeHandle& private_handle);
+  explicit SpinHandles(ros::NodeHandle private_handle);
 
-  /** At a tick: puts the handle of each body to where its Ω is drawn, if anybody can see it. */
+  /** Puts the handle of each body where its Ω is drawn, if somebody listens. To be called at each tick. */
   void update(const session::Session& session);
   void removeAll();
-  /** Marks the ellipsoid on which Ω is led in the menus. */
+  /** Marks in the menus the ellipsoid on which Ω is led. */
   void showKept(view::ConservedQuantity keep);
-  /** What was done since the last call, in order. */
+  /** Returns what hands have done since the last call, in order. */
   std::vector<session::HandleEvent> take();
 
  private:
-  /** Puts the handle of a body there, makes it if need be. @param point in the frame [m], finite. */
+  /** Puts the handle of a body there, and makes it where there is none. @param point in the frame [m], finite. */
   void place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
   void remove(const std::string& body);
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
   void make(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
   void add(const Feedback& feedback);
-  /** A hand has moved the handle; where it is, is the session's affair. */
+  /** Takes the handle back from where a hand has moved it. */
   void putBack(const std::string& body);
-  interactive_markers::MenuHandler::EntryHandle entry(interactive_markers::MenuHandler::EntryHandle parent,
-                                                      const std::string& title, const session::HandleEvent& event);
+  /** Adds an entry to the menu. @param parent the entry below which it stands; nothing: none. */
+  interactive_markers::MenuHandler::EntryHandle entry(
+      const std::optional<interactive_markers::MenuHandler::EntryHandle>& parent, const std::string& title,
+      const session::HandleEvent& event);
 
-  ros::NodeHandle handle_;
+  struct Placed {
+    std::string frame;
+    Eigen::Vector3d point;  ///< [m]
+  };
   interactive_markers::InteractiveMarkerServer server_;
   interactive_markers::MenuHandler menu_;
   interactive_markers::MenuHandler::EntryHandle keep_energy_ = 0, keep_momentum_ = 0;
   std::map<interactive_markers::MenuHandler::EntryHandle, session::HandleEvent> meaning_;  ///< of the menu's entries
-  ros::Publisher update_;                          ///< the server's own topic, to count who listens
-  std::map<std::string, std::string> frames_;      ///< of the handles that there are
-  std::map<std::string, Eigen::Vector3d> places_;  ///< where they were put last
+  ros::Publisher update_;                 ///< the server's own topic, to count who listens
+  std::map<std::string, Placed> placed_;  ///< by body: where its handle was put last
   std::vector<session::HandleEvent> events_;
   std::size_t ticks_since_update_ = 0;
 };

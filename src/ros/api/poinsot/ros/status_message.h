@@ -9,7 +9,7 @@
 namespace poinsot::node {
 
 /**
- * What a session is doing, as `~status` says it.
+ * Returns the message of `~status`: what a session is doing.
  * @param rate of the ticks [Hz]
  * @param waiting_for_clock whether no tick comes because somebody else's /clock stands still
  * @param scenes names of scenes that can be loaded

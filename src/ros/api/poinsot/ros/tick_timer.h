@@ -11,7 +11,7 @@
 
 namespace poinsot::node {
 
-/** How regularly the ticks came, over some stretch of steady time. */
+/** How regularly the ticks came, over some stretch of steady time. Times are in seconds. */
 struct Punctuality {
   std::int64_t ticks = 0;
   double rate = 0;           ///< [Hz]
@@ -49,7 +49,7 @@ class TickTimer {
   /** Whether a foreign clock stands still: no tick was due for a second of the wall's time, and for three periods. */
   bool waitsForClock() const;
 
-  /** Since the last call. Lateness is not known under a foreign clock. */
+  /** Returns how regular the ticks were since the last call. Lateness is not known under a foreign clock. */
   Punctuality takePunctuality();
 
  private:

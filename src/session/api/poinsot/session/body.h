@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "poinsot/cost/cost_meter.h"
 #include "poinsot/session/companion.h"
@@ -10,7 +11,7 @@
 
 namespace poinsot::session {
 
-/** A body that plays: with what belongs to it outside and, where that is measured, what it costs. */
+/** A body that plays: with its companion outside of the session and, where that is measured, what it costs. */
 class Body : public MovingBody {
  public:
   Body(const scene::Body& body, const MakeCompanion& companion);
@@ -34,5 +35,13 @@ class Body : public MovingBody {
   std::unique_ptr<Companion> companion_;
   std::optional<cost::CostMeter> meter_;
 };
+
+using Bodies = std::vector<std::unique_ptr<Body>>;
+
+/** Returns how many steps all bodies together have to take to the time t [s]. */
+double stepsTo(const Bodies& bodies, double time);
+
+/** Returns what the steps of all bodies together cost [CPU s per simulated s]. */
+double steppingCost(const Bodies& bodies);
 
 }  // namespace poinsot::session

@@ -8,11 +8,10 @@
 #include "poinsot/session/companion.h"
 #include "poinsot/session/job.h"
 
-/** What the background job does. All of it works on data of its own. */
+/** What the background job does, on data of its own. */
 namespace poinsot::session {
 
-/** Applies the requests to the draft, one after the other; one that is refused changes nothing. Throws cost::Cancelled.
- */
+/** Applies the requests to the draft in order; a refused one changes nothing. Throws cost::Cancelled. */
 Prepared prepare(Draft draft, const std::vector<Asked>& asked, const ReadScene& read,
                  const std::atomic<bool>& cancelled);
 
@@ -25,7 +24,7 @@ struct BuildOrder {
   MakeCompanion companion;
 };
 
-/** All bodies of a scene, at t = 0. */
+/** Returns the order for all bodies of a scene, at t = 0. */
 BuildOrder wholeScene(scene::Scene scene, double rate, MakeCompanion companion);
 
 /**

@@ -16,17 +16,16 @@ namespace poinsot::session {
 class Clock {
  public:
   /** @param step_length what step() advances t by [s], positive. */
-  explicit Clock(double step_length);
+  explicit Clock(double step_length) : step_length_(step_length) {}
 
   void pause(bool paused);
   bool paused() const { return paused_; }
 
-  /** While paused: lets t run at rate 1 for one step length, ending on it exactly. Calls add up. Ignored while playing.
-   */
-  void step();
+  /** While paused: lets t run at rate 1 for one step length, to its exact end. Calls add up. Ignored while playing. */
+  void step() { steps_left_ += paused_ ? 1 : 0; }
 
   /** Any finite speed; negative plays backwards. */
-  void setSpeed(double speed);
+  void setSpeed(double speed) { speed_ = speed; }
   double speed() const { return speed_; }
 
   /** Jumps to t at the next tick, which begins a new segment. */

@@ -9,15 +9,15 @@
 
 namespace poinsot::session {
 
-/** What belongs to a body outside of the session: its picture, and what that is sent by. */
+/** What belongs to a body outside of the session: its picture, and its publishers. */
 class Companion {
  public:
   virtual ~Companion() = default;
-  /** How the body's picture stands and how large it is, by which a hand's place becomes a spin. */
+  /** How the body's picture stands and how large it is; with it the place of a hand becomes a spin. */
   virtual const view::PictureFrame& frame() const = 0;
 };
 
-/** Makes what goes with a body. Called on the thread of the background job, so it must own all that it uses. */
+/** Makes the companion of a body. Called on the thread of the background job, so it must own all that it uses. */
 using MakeCompanion = std::function<std::unique_ptr<Companion>(const scene::Body&, const Motion&)>;
 
 /** How a body that takes another's place is drawn. */

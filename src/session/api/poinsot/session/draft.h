@@ -19,13 +19,12 @@ struct NamedScene {
   std::string name, file;  ///< empty where there is none
 };
 
-/** Reads a scene file. Runs on the job's thread. Throws std::exception with what is wrong with it. */
+/** Reads a scene file, on the job's thread. Throws std::exception with what is wrong with it. */
 using ReadScene = std::function<NamedScene(const std::string&)>;
 
 /** The scene as it is to be once all that was asked for is done. */
-struct Draft {
-  scene::Scene scene, start_scene;  ///< as it is to play; as a reset is to bring it back
-  std::string name, file;
+struct Draft : NamedScene {
+  scene::Scene start_scene;      ///< as a reset is to bring it back
   std::set<std::size_t> bodies;  ///< to be made anew
   bool all = false;              ///< another scene: no body stays
   bool from_start = false;       ///< at t = 0
@@ -42,10 +41,10 @@ struct Asked {
   MotionState state;       ///< SetSpin: of the body
 };
 
-/** The place of a body in a scene. Throws scene::Error, with the names that there are. */
+/** Returns the index of a body in a scene. Throws scene::Error, with the names of the scene's bodies. */
 std::size_t indexOf(const scene::Scene& scene, const std::string& body);
 
-/** Whether a reset would bring a start back, of two scenes with the same bodies. */
+/** Returns whether some body starts differently in two scenes with the same bodies. */
 bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene);
 
 /**
@@ -55,7 +54,7 @@ bool startsDiffer(const scene::Scene& scene, const scene::Scene& start_scene);
  */
 Answer apply(const Asked& asked, Draft& draft, const ReadScene& read);
 
-/** "body \"a\": to t = 1e+09 s there are …": why a body under a stepper does not go to t = `time` [s]. */
+/** Returns why a body under a stepper does not go to t = `time` [s]. */
 std::string tooManySteps(const std::string& body, double time, double steps, double step);
 
 }  // namespace poinsot::session

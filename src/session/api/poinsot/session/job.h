@@ -26,8 +26,8 @@ struct Prepared {
 struct Built {
   scene::Scene scene;  ///< with a method and a step for every body that was built
   std::vector<std::size_t> indices;
-  std::vector<std::unique_ptr<Body>> bodies;  ///< for each index
-  std::vector<std::string> choices;           ///< in words: what was chosen for accuracies
+  Bodies bodies;                     ///< for each index
+  std::vector<std::string> choices;  ///< in words: what was chosen for accuracies
 };
 
 /** Motions of all bodies that have been stepped to a time [s]. */
@@ -41,11 +41,11 @@ using Outcome = std::variant<Prepared, Built, Advanced>;
 /** What a job does. Throws std::exception; cost::Cancelled soon after `cancelled` has become true. */
 using Work = std::function<Outcome(const std::atomic<bool>& cancelled)>;
 
-/** One piece of work at a time, beside whoever asks for it. */
+/** Does one piece of work at a time, beside the thread that asks for it. */
 class Job {
  public:
   virtual ~Job() = default;
-  /** Starts. Only when not busy. */
+  /** Starts; only when it is not busy. */
   virtual void start(Work work) = 0;
   /** Until poll() has given the outcome. */
   virtual bool busy() const = 0;

@@ -26,12 +26,11 @@ class MovingBody {
 
   /**
    * Moves to the tick's time. Throws std::runtime_error where the motion has no state there that doubles can hold.
-   * @return whether this tick continues the segment of the last.
+   * Returns whether this tick continues the segment of the last.
    */
   bool move(const Tick& tick);
 
-  /** Is at t [s] without a tick, as what takes another body's place between two ticks. Throws what Motion::at throws.
-   */
+  /** Moves to t [s] without a tick, to take another body's place between two ticks. Throws what Motion::at throws. */
   void stand(double t) { state_ = motion_.at(t); }
 
   /** Of the last move. */

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-/** What may be asked of a session, and what it says to that. */
+/** What may be asked of a session, and its answers. */
 namespace poinsot::session {
 
 /** Plays another scene from its start. */
@@ -40,7 +40,7 @@ struct SetSpeed {
 
 using Request = std::variant<LoadScene, SetMethod, SetSpin, Reset, Seek, Pause, Step, SetSpeed>;
 
-/** Whether two requests ask for the same thing of the same body: its latest spin, say. */
+/** Returns whether two requests ask for the same thing of the same body, so that the later one replaces the other. */
 bool sameKind(const Request& a, const Request& b);
 
 /** Why something was not done. */
@@ -49,7 +49,7 @@ enum class Reason {
   too_fast,        ///< the steps would take more of this machine than there is
   too_many_steps,  ///< to the time that was asked for
   no_state,        ///< the motion has left the range of doubles there
-  not_paused,      ///< only who is paused can step
+  not_paused,      ///< a step is possible only while paused
   cannot_be_made,  ///< working it out failed; `detail` says why
   bad_request      ///< `detail` says all of it
 };
@@ -59,11 +59,13 @@ struct Refusal {
   std::vector<Request> requests;  ///< all that are refused together
   std::string detail;             ///< what the part that found the fault said of it
   std::string body, method;       ///< too_many_steps, no_state
-  double figure = 0, limit = 0;   ///< too_fast: CPU s per simulated s, what is allowed of it (SetSpeed: the largest
-                                  ///< speed); too_many_steps: their number
+  double figure = 0, limit = 0;   ///< found, and the most that is accepted. too_fast: CPU s per simulated s (SetSpeed:
+                                  ///< `limit` is the largest speed); too_many_steps: their number
   double step = 0;                ///< too_many_steps [s]
   double speed = 0;               ///< too_fast: of play
 };
+
+Refusal refusalOf(Reason reason, const std::vector<Request>& requests, const std::string& detail = {});
 
 /** What becomes of a request. */
 struct Answer {
@@ -75,5 +77,8 @@ struct Answer {
   bool in_the_background = false;     ///< Reset: it is being worked out
   bool spins = false;                 ///< Reset: spins are brought back too
 };
+
+/** Returns the answer to a bad request, with `problem` as its detail. */
+Answer refusedFor(const std::string& problem);
 
 }  // namespace poinsot::session

@@ -21,12 +21,12 @@ namespace poinsot::session {
 inline constexpr double kMostLoad = 0.8;  ///< of one core, for what a speed may ask of the steppers
 
 /**
- * What plays: bodies that move with a clock, and what is asked of them. One thread uses it; what takes long is done by
- * its job, and takes effect in serve().
+ * What plays: bodies that move with a clock, and requests to change them. One thread uses it; its job does what takes
+ * long, which takes effect in serve().
  *
- * What is asked for while something else is being worked out is worked out together with it: the session keeps one
- * draft of the scene as it is to be, and builds the bodies anew in which that differs from what plays. A request that
- * is wrong in itself is refused alone; where the bodies cannot be built, all that the draft holds is refused.
+ * Requests that come while others are being worked out are worked out together with them: the session keeps one draft
+ * of the scene as it is to be, and builds anew the bodies in which it differs from what plays. A request that is wrong
+ * in itself is refused alone; where the bodies cannot be built, all requests of the draft are refused.
  */
 class Session {
  public:
@@ -47,12 +47,12 @@ class Session {
    */
   Session(const Options& options, const NamedScene& scene, Built&& built, Job& job, Listener& listener);
 
-  /** Does what is asked for, or begins to. @param reply is called once, now or in serve(). */
+  /** Carries a request out, or begins to. @param reply is called once, now or in serve(). */
   void ask(const Request& request, const Reply& reply = {});
 
   /**
    * Takes what a hand did.
-   * @param now by the wall's clock; eye: of whoever looks [m, world axes], where that is known.
+   * @param now by the wall's clock; eye: of the viewer [m, world axes], where it is known.
    * @param frame the frame in which points must be.
    */
   void touch(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
@@ -68,15 +68,15 @@ class Session {
   std::optional<Tick> tick(Nanoseconds stamp);
 
   const Clock& clock() const { return clock_; }
-  const std::vector<std::unique_ptr<Body>>& bodies() const { return bodies_; }
+  const Bodies& bodies() const { return bodies_; }
   const scene::Scene& scene() const { return playing_.scene; }
-  /** A body as it is to be drawn: what it would be, while somebody holds it. */
+  /** Returns a body as it is to be drawn: while somebody holds it, as it would start there. */
   Body& drawn(std::size_t i) const;
   const Body* preview() const { return preview_.get(); }
   const SpinDrag& drag() const { return drag_; }
 
   /** Of all bodies together, by their steps [CPU s per simulated s]. */
-  double steppingCost() const;
+  double steppingCost() const { return session::steppingCost(bodies_); }
   Status status() const;
 
  private:
@@ -85,7 +85,7 @@ class Session {
   Answer step();
   Answer setSpeed(const SetSpeed& request);
   Answer resetNow();
-  /** To a time now, where that takes few steps; else as soon as the job has got there. */
+  /** Jumps to a time at the next tick, where that takes few steps; else as soon as the job has stepped there. */
   Answer seek(double time);
   void jumpTo(double time);
   Answer refuse(Refusal refusal);
@@ -103,7 +103,7 @@ class Session {
   void startPreparing();
   void startSeeking();
   void takeOutcome();
-  /** What the job does is of no use any more. */
+  /** Ends what the job does; its outcome will not be used. */
   void dropWork();
   void takeBuilt(Built&& built);
   std::optional<Refusal> tooCostly(const Built& built) const;
@@ -125,7 +125,7 @@ class Session {
   struct Work {
     enum class Kind { none, preparing, building, seeking };
     Kind kind = Kind::none;
-    bool stale = false;     ///< something was asked for since that makes it useless
+    bool stale = false;     ///< its outcome is not to be used: something else was asked for since
     std::size_t asked = 0;  ///< preparing: how many requests, from the first in the queue on
   };
   struct Waiting {
@@ -137,7 +137,7 @@ class Session {
   Job& job_;
   Listener& listener_;
   Clock clock_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  Bodies bodies_;
   NamedScene playing_;
   scene::Scene start_scene_;    ///< as a reset brings it back
   std::vector<Waiting> queue_;  ///< asked for and not yet applied to the draft
@@ -150,7 +150,7 @@ class Session {
   std::unique_ptr<Body> preview_;  ///< of the body that is held: as it would start from where it was led
 };
 
-/** Where Ω is drawn, in the picture in body axes [m]. */
+/** Returns the place where Ω is drawn, in the picture in body axes [m]. */
 Eigen::Vector3d omegaPoint(const Body& body);
 
 }  // namespace poinsot::session

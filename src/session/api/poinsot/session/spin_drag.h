@@ -32,7 +32,7 @@ struct HandleEvent {
   view::Axis axis = view::Axis::smallest;
 };
 
-/** A spin that is to be led elsewhere on one of its ellipsoids. */
+/** A spin that is to be led to another place on one of its ellipsoids. */
 struct LedSpin {
   const PrincipalInertia& inertia;
   Eigen::Vector3d omega_body;  ///< present Ω [rad/s]
@@ -41,15 +41,16 @@ struct LedSpin {
 };
 
 /**
- * The Ω [rad/s, body axes] to which a hand at `point` leads it; nothing where that is no place to lead it to.
+ * Returns the Ω [rad/s, body axes] to which a hand at `point` leads it; nothing for a point that is not finite or at
+ * the centre.
  * @param point in the picture in body axes [m].
- * @param eye of whoever leads it [m, world axes]; where it is not known, Ω goes in the direction of the point.
+ * @param eye of the viewer [m, world axes]; where it is not known, Ω goes in the direction of the point.
  */
 std::optional<Eigen::Vector3d> ledTo(const LedSpin& spin, const Eigen::Vector3d& point,
                                      const std::optional<Eigen::Vector3d>& eye);
 
 /**
- * One hand on one body, from taking hold to what comes of it: free → pressed → led → let go → free.
+ * One hand on one body: free → pressed → led → let go → free.
  *
  * A hand that is let go before it has led anything changes nothing. Points are in the frame of the picture in body axes
  * [m]; times are of the wall's clock.
@@ -89,7 +90,7 @@ class SpinDrag {
   void letGo() { state_ = State::let_go; }
   void end() { state_ = State::free; }
 
-  /** Whether a hand holds it that has not been heard of for long. */
+  /** Whether the hand that holds it has not been heard of for 3 s. */
   bool isForgotten(Nanoseconds now) const;
 
   /** Whether play is paused when it is over. */

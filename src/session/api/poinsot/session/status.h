@@ -16,11 +16,11 @@ struct FreeMotion {
   view::Regime regime = view::Regime::rest;
   Eigen::Vector3d omega_principal = Eigen::Vector3d::Zero();  ///< at its start [rad/s]: which axis a steady spin has
   Eigen::Vector3d moments = Eigen::Vector3d::Zero();          ///< principal [kg·m²]
-  bool beside_separatrix = false;                             ///< nearer to it than doubles can tell
+  bool beside_separatrix = false;                             ///< too near to it for doubles to tell on which side
   view::Flips flips;
 };
 
-/** What one body is under now. */
+/** What moves one body now. */
 struct BodyStatus {
   std::string name, method;
   std::optional<double> step;        ///< [s]
@@ -37,7 +37,7 @@ struct Status {
   bool paused = false;
   double speed = 1;
   std::vector<Request> activities;  ///< what is being worked out
-  std::optional<Refusal> refusal;   ///< the last, until something was done since
+  std::optional<Refusal> refusal;   ///< the last, until something else was done
   std::vector<BodyStatus> bodies;
 };
 

@@ -21,7 +21,7 @@ class Part;
 struct Subject;
 }  // namespace parts
 
-/** What a label says of a body: how it compares with the truth, or, where there is none, its energy. */
+/** Figures for a body's label: how it compares with the closed form, or, where there is none, its energy. */
 struct Figures {
   double attitude_error;  ///< [rad]; NaN under torques
   double energy_drift;    ///< relative
@@ -35,9 +35,9 @@ struct Figures {
  */
 class BodyPicture {
  public:
-  /** How much is worked out beforehand. */
+  /** How much is computed beforehand. */
   enum class Detail {
-    none,     ///< nobody will look: frame() is that of the start
+    none,     ///< for no viewer: frame() is that of the start
     pictures  ///< how large the pictures of a body under torques will get as well (view/picture_bounds.h)
   };
 
@@ -46,23 +46,23 @@ class BodyPicture {
               const std::optional<view::PictureFrame>& keep = std::nullopt);
   ~BodyPicture();
 
-  /** How it stands and how large it is. */
+  /** How the picture stands and how large it is. */
   const view::PictureFrame& frame() const;
 
-  /** What never changes; stamps 0, so that it is drawn whenever it arrives. */
+  /** Appends what never changes, with stamps 0, so that it is drawn whenever it arrives. */
   void appendStatic(visualization_msgs::MarkerArray& out) const;
 
-  /** A label below the body, with its method, from now on a few times a second: in scenes where some body steps. */
+  /** Appends a label below the body with its method and figures, four times a second; for scenes with steppers. */
   void appendFigures(const session::Tick& tick, const Figures& figures, visualization_msgs::MarkerArray& out);
 
-  /** What moves, at one tick. The trail begins anew with each segment. */
+  /** Appends what moves, at one tick. The trail begins anew with each segment. */
   void appendMoving(const session::Tick& tick, const Motion& motion, const MotionState& state,
                     visualization_msgs::MarkerArray& out);
 
-  /** Forgets the trail: nobody looked. */
+  /** Forgets the trail. */
   void clearTrail();
 
-  /** The next markers hold also what is sent only now and then. */
+  /** Has the next markers hold also what is sent only now and then. */
   void sendAllNext();
 
  private:

@@ -11,13 +11,13 @@
 
 namespace poinsot::node {
 
-/** The namespaces in which a body draws, whatever it is and whatever acts on it: how many ids there are, from 0 on. */
+/** Returns all namespaces in which any body may draw, each with the number of its ids, which begin at 0. */
 std::map<std::string, int> markerSpaces(const std::string& body);
 
 /** Namespace and id, by which a viewer knows a marker. */
 using MarkerKey = std::pair<std::string, int>;
 
-/** On which one picture is drawn: the markers that viewers are to be sent, and which they have then. */
+/** The canvas of one picture: the markers that viewers are to be sent, and which of them they have. */
 class Canvas {
  public:
   void put(const visualization_msgs::Marker& marker);
@@ -28,7 +28,7 @@ class Canvas {
   /** Puts DELETE, in the markers' own frames, for first_id ≤ id < end_id, where they are there. */
   void remove(const std::string& ns, int first_id, int end_id = std::numeric_limits<int>::max());
 
-  /** What was put since the last time. */
+  /** Returns what was put since the last call. */
   std::vector<visualization_msgs::Marker> take() { return std::exchange(markers_, {}); }
 
  private:
@@ -42,21 +42,21 @@ class Canvas {
  */
 class MarkerTracker {
  public:
-  /** What was put in the namespaces of a body is to go, unless the next array puts it again. */
+  /** Marks what was put in the namespaces of a body for deletion, unless the next array puts it again. */
   void withdraw(const std::string& body);
   void withdrawAll() { to_go_.insert(there_.begin(), there_.end()); }
   /**
-   * So is what a node that has ended may have left in these bodies' names; not of more than 100 bodies, whose deletions
-   * would be megabytes.
+   * Marks what a node that has ended may have left of bodies of these names for deletion; not for more than 100 bodies,
+   * whose deletions would be megabytes.
    */
   void withdrawLeftovers(const std::vector<std::string>& bodies);
 
-  /** All that has gone is to go once more: who has missed the array with its deletion is told again. */
+  /** Marks all that was deleted for deletion once more, for viewers that missed it. */
   void withdrawAgain() { to_go_.insert(gone_.begin(), gone_.end()); }
-  /** Nobody needs to be told again. */
+  /** No deletion needs to be repeated. */
   void forgetGone() { gone_.clear(); }
 
-  /** Has the array delete what is to go before it puts anything. Notes what it puts and deletes. */
+  /** Puts the deletions of what is marked before the array's markers, and notes what it adds and deletes. */
   void follow(visualization_msgs::MarkerArray& array);
 
  private:
