@@ -45,11 +45,10 @@ void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::strin
     }
   }
   if (!body.inertia.satisfiesTriangleInequality()) {
-    warnings.push_back(
-        (inertia ? inertia : shape)
-            ->message(
-                "the principal moments " + listed(body.inertia.moments()) +
-                " kg·m² are those of no real body (one exceeds the sum of the other two); simulated all the same"));
+    warnings.push_back((inertia ? inertia : shape)
+                           ->message("the principal moments " + listed(body.inertia.moments()) +
+                                     " kg·m² are those of no real body (one exceeds the sum of the other two); it is "
+                                     "simulated nevertheless"));
   }
 }
 

@@ -16,8 +16,7 @@ namespace {
 const char* const kAnyStepper = "stepper";  // beside an accuracy: any method but the closed form
 constexpr double kLargestAccuracy = 1;      // rad
 
-// For a body with effects where the scene names neither method nor accuracy. People look at a scene for about this
-// long.
+// For a body with effects where the scene names neither method nor accuracy; a scene is watched for about so long.
 constexpr double kDefaultAccuracy = 1e-9, kDefaultHorizon = 60;  // rad, s
 
 /** Returns the words that a scene may name as the method of a body, "stepper" among them. */

@@ -5,6 +5,10 @@
 
 #include <fstream>
 #include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "command_line.h"
 #include "poinsot/audit/audit.h"

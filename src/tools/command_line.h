@@ -35,8 +35,8 @@ void refuseSameFile(const std::string& option, const std::string& path, const st
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /**
- * Does the work of a program. Returns 0; after an exception, which stderr is told, `code` if it is of one of the types
- * Special, and otherwise `other_code`.
+ * Does the work of a program and returns its exit code: 0, or after an exception, which is printed on stderr, `code`
+ * for the types Special and `other_code` for all others.
  */
 template <class... Special>
 int exitCodeOf(const char* program, int code, int other_code, const std::function<void()>& work) {

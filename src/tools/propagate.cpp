@@ -6,6 +6,9 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "command_line.h"
 #include "csv_rows.h"
@@ -44,9 +47,9 @@ const char kAbout[] =
     "needs\n"
     "--step S and takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused. Where it does not "
     "follow\n"
-    "a row's body at that step, stderr says so, and the row comes all the same. Where the rows end further than 0.1 "
-    "rad\n"
-    "from the closed form, or their energy changes by more than a tenth, stderr is told the worst of them.\n"
+    "a row's body at that step, a line on stderr warns of it, and the row is written nevertheless. Where rows end "
+    "further\n"
+    "than 0.1 rad from the closed form, or their energy changes by more than a tenth, a line gives the worst of them.\n"
     "Exit status: 0; 1 when a state cannot be computed or written; 2 for bad use or input. Output comes whole or not "
     "at all.";
 

@@ -43,7 +43,7 @@ const char* const kAbout =
     "CSV: body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz with 17 significant digits, body after body: attitude body -> world, "
     "angular\n"
     "velocity in body axes [rad/s], position in world axes [m], at t = 0, 1/rate, 2/rate, ... and exactly the "
-    "duration. Of a free body that a stepper moves, stderr is told the worst errors of the run.\n"
+    "duration. For a free body that a stepper moves, a line on stderr gives the worst errors of the run.\n"
     "Bag: the node's messages on the node's topics, with stamps from 1 s on; replay.launch shows it, check_bag audits "
     "it.\n"
     "The same scene gives the same bytes, every time.\n\n"

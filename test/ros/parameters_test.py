@@ -118,8 +118,8 @@ class ParametersTest(unittest.TestCase):
             self.refused(what, {"scene_file": path}, [path] + words)
 
     def test_bad_scenes_as_parameters(self):
-        self.refused("a list", {"scene": [1, 2]}, ["/scene", "not a map"])
-        self.refused("a text", {"scene": "dzhanibekov"}, ["/scene", "not a map"])
+        self.refused("a list", {"scene": [1, 2]}, ["/scene", "expected a map", "got a list of 2"])
+        self.refused("a text", {"scene": "dzhanibekov"}, ["/scene", "expected a map", 'got "dzhanibekov"'])
         for name in ("a negative moment", "an unknown method", "a zero quaternion", "one name twice", "empty bodies",
                      "an unknown key"):
             text, words = next((t, w) for what, t, w in BAD_SCENES if what == name)
