@@ -16,14 +16,14 @@ constexpr int kMostWithoutProgress = 4;  // of them
 constexpr int kMostCorrections = 6;      // after a verification that failed
 constexpr double kMostStepsAtAll = 1e9;  // of a motion that is not verified
 
-/** How near a method came. */
+/** The method with the smallest error, among those that miss the accuracy. */
 struct Nearest {
   std::string method;
   double error = kInfinite;
-  bool steps_ran_out = false;  ///< not rounding but the number of steps stood in the way
+  bool steps_ran_out = false;  ///< it was limited by the number of steps, not by rounding
 };
 
-/** Looks for the cheapest method and step. */
+/** The search for the cheapest method and step. */
 class Search {
  public:
   Search(const AccuracyRequest& request, const MethodCosts& costs, bool torqued, const Truth& truth)
@@ -39,7 +39,7 @@ class Search {
     }
     if (objection.empty()) {
       limits_ = truth_.limits();
-      // Higher orders first: what they cost rules most others out before these have taken a step.
+      // Higher orders come first: their cost rules out most others before these have taken a step.
       std::stable_sort(steppers.begin(), steppers.end(), [](const Method* a, const Method* b) {
         return std::pair(a->conserves_energy, a->order) > std::pair(b->conserves_energy, b->order);
       });
@@ -66,12 +66,12 @@ class Search {
     if (error <= nearest_.error) nearest_ = {method.name, error, steps_ran_out};
   }
 
-  /** What the error would have become by the horizon, at least. */
+  /** Returns a lower bound of the error that the trial would have had at the horizon. */
   double extrapolated(const Trial& trial) const {
     return trial.error * std::max(1.0, request_.horizon / trial.reached);
   }
 
-  /** The factor on a step that brings an error to the aim. */
+  /** Returns the factor by which a step must change for the error to reach the aim. */
   double correction(const Method& method, double error) const {
     return std::pow(limits_.aim * request_.accuracy / error, 1.0 / method.order);
   }
@@ -81,7 +81,7 @@ class Search {
     Trial trial;
   };
 
-  /** The longest step that keeps the accuracy and costs less than the best so far. */
+  /** Returns the longest step that keeps the accuracy and costs less than the best so far. */
   Found longestStep(const Method& method) {
     Found good;
     double bad = kInfinite, last_error = kInfinite, last_reached = 0, step = limits_.first;
@@ -109,7 +109,7 @@ class Search {
         step *= 0.5;
       } else {
         const double error = extrapolated(trial);
-        // Where shorter steps bring neither less error nor a later one, rounding is what is left.
+        // Where shorter steps neither reduce the error nor delay it, rounding is the limit.
         const bool better =
             error < 0.9 * last_error && (trial.reached >= request_.horizon || trial.reached > 1.02 * last_reached);
         without_progress = better ? 0 : without_progress + 1;
@@ -147,11 +147,12 @@ class Search {
     const std::size_t count = request_.candidates.size();
     const std::string steps = numberText(limits_.most_steps, 3) + " steps";
     std::string out = count == 1 ? request_.candidates.front() + " does not keep to "
-                                 : "none of the " + std::to_string(count) + " methods allowed keeps to ";
+                                 : "none of the " + std::to_string(count) + " candidates keeps to ";
     out += numberText(request_.accuracy, 3) + " rad for " + numberText(request_.horizon, 3) + " s on this body";
-    if (!(nearest_.error < 0.1)) return out + ", nor comes near" + (nearest_.steps_ran_out ? " within " + steps : "");
+    if (!(nearest_.error < 0.1)) return out + ", or comes near" + (nearest_.steps_ran_out ? " within " + steps : "");
     return out + ": " + nearest_.method + " comes nearest with about " + numberText(nearest_.error, 3) + " rad; " +
-           (nearest_.steps_ran_out ? "with shorter steps it would take more than " + steps : "rounding prevents less");
+           (nearest_.steps_ran_out ? "with shorter steps it would take more than " + steps
+                                   : "rounding prevents a smaller error");
   }
 
   const AccuracyRequest& request_;

@@ -10,12 +10,13 @@
 namespace poinsot::cost {
 namespace {
 
-constexpr double kLeastVerified = 2 * kClosedFormError;  // [rad]: below it the judge is no more exact than the judged
-constexpr double kGiveUp = 30;                           // times the accuracy: how wrong a trial may become
-constexpr double kMostSteps = 5e7;                       // of one trial: some seconds
-constexpr std::int64_t kLooks = 4096;                    // of one trial
-constexpr double kMostTicks = 1e6;                       // to be verified one by one
-constexpr double kLongestAngle = 2;  // rad: no step is tried that turns the body by more, unless it is a tick
+constexpr double kLeastVerified =
+    2 * kClosedFormError;              // rad: below it the closed form is no more exact than the stepper
+constexpr double kGiveUp = 30;         // times the accuracy: a trial with a larger error is given up
+constexpr double kMostSteps = 5e7;     // of one trial: some seconds
+constexpr std::int64_t kLooks = 4096;  // of one trial
+constexpr double kMostTicks = 1e6;     // to be verified one by one
+constexpr double kLongestAngle = 2;    // rad: no step is tried that turns the body by more, unless it is a tick
 
 class ClosedFormTruth final : public Truth {
  public:
@@ -30,10 +31,10 @@ class ClosedFormTruth final : public Truth {
   std::string objection() const override {
     const std::string known = numberText(kClosedFormError, 3) + " rad";
     if (request_.accuracy < kClosedFormError) {
-      return "nothing is verified beyond the " + known + " to which the closed form is known";
+      return "the closed form, by which accuracies are verified, is itself known to " + known + " only";
     }
     if (request_.accuracy < kLeastVerified) {
-      return "steppers are verified by the closed form, which is known to " + known + " itself";
+      return "the closed form, by which steppers are verified, is itself known to " + known + " only";
     }
     return "";
   }
@@ -72,7 +73,7 @@ class ClosedFormTruth final : public Truth {
     return trial;
   }
 
-  /** Compares at the ticks, up to a million of them, and at the horizon. */
+  /** Compares with the closed form at the ticks, up to a million of them, and at the horizon. */
   double verified(const Method& method, double step, const Trial&) const override {
     MotionSetup setup = setup_;
     setup.method = method.name;

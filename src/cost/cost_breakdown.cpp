@@ -16,17 +16,17 @@
 namespace poinsot::cost {
 namespace {
 
-constexpr int kRepetitions = 12;             // the fastest counts: whatever disturbs makes it slower
+constexpr int kRepetitions = 12;             // the fastest counts, because disturbances only slow down
 constexpr int kStretches = 8;                // of the motion
 constexpr std::int64_t kStretch = 64;        // steps of a body under torques
-constexpr std::int64_t kFreeStretch = 1024;  // of a free one, that takes them in batches
+constexpr std::int64_t kFreeStretch = 1024;  // of a free body, which takes them in batches
 constexpr std::int64_t kSampledSteps = 16384;
 constexpr std::size_t kMostStates = 1024;  // in a stretch
 constexpr int kCalls = 256;                // to measure what takes no step
 constexpr double kPiece = 256;             // steps and states of a run that are measured together
 constexpr double kLongRuns = 0.25;         // CPU s: not repeated any more
 
-/** Seconds of CPU. */
+/** Returns the CPU time of a call [s]. */
 template <class Use>
 double timeOf(Use use) {
   const double begin = threadCpuTime();
@@ -34,7 +34,7 @@ double timeOf(Use use) {
   return std::max(threadCpuTime() - begin - clockCost(), 0.0);
 }
 
-/** Time to be undercut. */
+/** The fastest of several measurements [s]. */
 struct Fastest {
   double time = std::numeric_limits<double>::infinity();
   template <class Use>
@@ -48,7 +48,7 @@ struct Times {
   double steps = 0, states = 0;
 };
 
-/** The effects of the given types; their places in Effect are counted as in effectTypes(), without translation. */
+/** Returns the effects of the given types, which are numbered as in effectTypes() without translation. */
 std::vector<Effect> only(const std::vector<Effect>& effects, const std::set<std::size_t>& types) {
   std::vector<Effect> out;
   for (const Effect& effect : effects) {
@@ -65,7 +65,7 @@ std::set<std::size_t> typesIn(const std::vector<Effect>& effects) {
 
 [[maybe_unused]] volatile double sink = 0;
 
-/** A few stretches of one body's motion, to be gone through again and again. */
+/** A few stretches of one body's motion, which are measured repeatedly. */
 class Stretches {
  public:
   Stretches(const MotionSetup& setup, double duration, double rate) : setup_(setup), step_(*setup.step) {
@@ -82,7 +82,7 @@ class Stretches {
     if (!setup.effects.empty()) findRotationStates();
   }
 
-  /** Of all stretches together. */
+  /** Return the steps and states of all stretches together. */
   double steps() const { return static_cast<double>(length_) * static_cast<double>(starts_.size()); }
   double states() const {
     double sum = 0;
@@ -90,7 +90,7 @@ class Stretches {
     return sum;
   }
 
-  /** The motion itself. */
+  /** Measures the motion itself. */
   Times ofMotion() const {
     Times sum;
     for (const Start& start : starts_) {
@@ -113,7 +113,7 @@ class Stretches {
     return sum;
   }
 
-  /** Steps and torques alone, for each choice among the effects, in turn so that whatever disturbs disturbs all. */
+  /** Measures steps and torques alone, for each choice among the effects, in turn so that disturbances affect all. */
   std::vector<Times> underTorques(const std::vector<std::set<std::size_t>>& choices) const {
     std::vector<Bound> bound;
     for (const auto& types : choices) bound.push_back(boundTo(only(setup_.effects, types)));
@@ -131,7 +131,7 @@ class Stretches {
     return sums;
   }
 
-  /** Evaluations of the torque by whole steps, and by partial steps and states. */
+  /** Returns the evaluations of the torque by whole steps, and those by partial steps and states. */
   std::pair<double, double> evaluations() const {
     const Bound all = boundTo(setup_.effects);
     std::pair<double, double> sum(0, 0);
@@ -143,26 +143,26 @@ class Stretches {
   }
 
  private:
-  /** Where a state is asked for. */
+  /** A time at which a state is asked for. */
   struct Look {
     std::int64_t step;  ///< of the stretch
     double rest;        ///< beyond it [s]
   };
-  /** The body's method and what acts on it. */
+  /** The body's method and the torques on it. */
   struct Bound {
     Torques torques;
     std::shared_ptr<const Stepper> stepper;
   };
   struct Start {
     std::int64_t first;  ///< step
-    Motion motion;       ///< has come there
+    Motion motion;       ///< already at that step
     RotationState state;
     std::vector<Look> looks;
   };
 
   double timeOfStep(std::int64_t n) const { return static_cast<double>(n) * step_; }
 
-  /** As ticks lie in the grid; where steps are many to a tick, those in between are left out, all but one. */
+  /** Returns the ticks within a stretch. Where a tick spans many steps, one state a step stands for them. */
   std::vector<Look> looks(std::int64_t first, double rate) const {
     const auto place = [this](double t) {
       const double n = std::floor(t / step_);
@@ -210,7 +210,7 @@ class Stretches {
     return work;
   }
 
-  /** What Motion does to have states, as far as it depends on torques. @return without the whole steps. */
+  /** Does the part of Motion::at() that depends on torques. Returns its work, without the whole steps. */
   Work takeLooks(const Bound& bound, const Start& start) const {
     const auto& [torques, stepper] = bound;
     RotationState state = start.state;
@@ -235,7 +235,7 @@ class Stretches {
   std::vector<Start> starts_;
 };
 
-/** Of a state with translation less one without, at a time that takes no step. */
+/** Returns the time of a state with translation less that of one without, where neither takes a step [s]. */
 double translationTime(const MotionSetup& setup) {
   MotionSetup without = setup;
   without.translation.reset();
@@ -251,7 +251,8 @@ double translationTime(const MotionSetup& setup) {
   return (times[0].time - times[1].time) / kCalls;
 }
 
-/** All states over the duration [CPU s per simulated s]: of each piece the fastest of several runs. */
+/** Returns the cost of all states over the duration [CPU s per simulated s]; the fastest of several runs of each piece.
+ */
 double runTime(const MotionSetup& setup, double duration, double rate) {
   const auto ticks = static_cast<std::int64_t>(std::max(1.0, std::ceil(duration * rate * (1 - 1e-12))));
   const double steps_per_tick = setup.step ? 1 / (*setup.step * rate) : 0;
@@ -274,7 +275,7 @@ double runTime(const MotionSetup& setup, double duration, double rate) {
   return sum * rate / static_cast<double>(ticks);
 }
 
-/** Part of each type of torque, by its place in Effect. */
+/** Fills in the part of each type of torque, by its place in Effect. */
 void findShares(const MotionSetup& setup, const Stretches& stretches, std::vector<CostBreakdown::Part>& parts) {
   const std::set<std::size_t> present = typesIn(setup.effects);
   const std::vector<std::size_t> types(present.begin(), present.end());
@@ -346,7 +347,7 @@ CostBreakdown measureLedger(const MotionSetup& setup, double duration, double ra
     out.parts[1].in_force = true;
     out.parts[1].per_state = translationTime(setup);
   }
-  out.parts[0].per_step = per_step - out.perStep();  // what no effect is the cause of
+  out.parts[0].per_step = per_step - out.perStep();  // the rest, which no effect causes
   out.parts[0].per_state = per_state - out.perState();
   return out;
 }

@@ -11,9 +11,9 @@ namespace poinsot::cost {
 namespace {
 
 constexpr double kAgree = 0.1;         // of the accuracy: how far two references should differ at most
-constexpr double kAgreeAtWorst = 0.4;  // the same where rounding lets them come no nearer
+constexpr double kAgreeAtWorst = 0.4;  // the same where rounding prevents a better agreement
 constexpr double kSlow = 0.01;         // of the greatest |Omega|
-constexpr double kRest = 1e-14;        // of the same: what rounding leaves of a spin that was brought to rest
+constexpr double kRest = 1e-14;        // of the same: the rest that rounding leaves of a spin that has ended
 constexpr int kMostLooks = 512;
 constexpr int kMostRefinements = 24;
 constexpr double kMostSteps = 2e7;  // of one trial: some seconds
@@ -22,8 +22,8 @@ const char* const kReferences[2] = {"taylor24", "taylor20"};
 constexpr double kReferenceRatio = 0.77;  // of their steps: no common grid
 
 /**
- * A rate of the order of the fastest to come [1/s], as far as the start and the strength of the torques tell: a torque
- * that is zero at first (a pendulum upright, a thruster that waits) is not at last.
+ * Returns an estimate of the fastest rate to come [1/s], from the start and the strength of the torques. Their strength
+ * counts because a torque may be zero at the start and grow later (an upright pendulum, a thruster that waits).
  */
 double rateAtStart(const Torques& torques, const Eigen::Vector3d& omega_body, double horizon) {
   const Eigen::Vector3d& moments = torques.moments();
@@ -68,8 +68,8 @@ class TaylorTruth final : public RefinedTruth {
              ", or loses the motion" + so;
     }
     if (!(agreement_ <= kAgreeAtWorst * request_.accuracy)) {
-      return "two references differ by " + numberText(agreement_, 3) + " rad within " + horizon + so +
-             ": rounding is in the way, or the motion is that sensitive";
+      return "two references differ by " + numberText(agreement_, 3) + " rad within " + horizon +
+             " (rounding, or a very sensitive motion)" + so;
     }
     return "";
   }
@@ -95,7 +95,7 @@ class TaylorTruth final : public RefinedTruth {
     Eigen::Vector3d omega;
   };
 
-  /** Where the motion is at all looks; fewer of them where it was lost. @param cut steps taken to steps asked for. */
+  /** Returns the motion at all looks, or at fewer where it was lost. @param cut gets steps taken per step asked for. */
   std::vector<Look> looksOf(const Method& method, double step, double& cut) const {
     std::vector<Look> out;
     MotionSetup setup = setup_;
@@ -115,13 +115,13 @@ class TaylorTruth final : public RefinedTruth {
     return out;
   }
 
-  /** The greatest difference; infinite where one of them ends early. */
+  /** Returns the greatest difference; infinite where one of them ends early. */
   double difference(const std::vector<Look>& a, const std::vector<Look>& b) const {
     if (a.size() != times_.size() || b.size() != times_.size()) return kInfinite;
     double fastest = 0, worst = 0;
     for (const Look& look : b) fastest = std::max(fastest, look.omega.norm());
     for (std::size_t k = 0; k < a.size(); ++k) {
-      // At the horizon Ω is held to what it is there, however slow.
+      // At the horizon the error of Ω is relative to Ω there, however slow.
       const double scale = k + 1 == a.size() ? b[k].omega.norm() : std::max(b[k].omega.norm(), kSlow * fastest);
       const bool rests = std::max(a[k].omega.norm(), b[k].omega.norm()) <= kRest * fastest;
       const double off = rests ? 0 : (a[k].omega - b[k].omega).norm();
@@ -142,7 +142,7 @@ class TaylorTruth final : public RefinedTruth {
       const double off = difference(one, other);
       double fastest = rate;
       for (const Look& look : one) fastest = std::max(fastest, look.omega.norm());
-      // Where a step is many radians nothing is to be expected of half of it yet.
+      // Halving a step of many radians need not help yet.
       const int futile = step * fastest <= 1 ? 1 : 0;
       if (looks_.empty() || off < agreement_) {
         without_progress = off < 0.5 * agreement_ ? 0 : without_progress + futile;

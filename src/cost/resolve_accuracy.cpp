@@ -5,6 +5,7 @@
 #include "poinsot/core/number_text.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 
@@ -24,8 +25,7 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
              "; not verified: that takes too many steps, or the motion is lost; cost " + numberText(choice.cost, 3) +
              " CPU s per simulated s";
     }
-    if (choice.verified_error > accuracy.error)
-      out += ", which is as near as doubles come: the motion is that sensitive";
+    if (choice.verified_error > accuracy.error) out += ", the best that doubles allow for a very sensitive motion";
   } else {
     out += choice.step ? "verified by the closed form " + numberText(choice.verified_error, 3) + " rad"
                        : "held to by references of 60 digits";
@@ -33,7 +33,7 @@ std::string sentence(const scene::Body& body, const Choice& choice) {
   return out + "; cost " + numberText(choice.cost, 3) + " CPU s per simulated s";
 }
 
-/** To the accuracy, or, where that is out of reach, as near to it as doubles come. */
+/** Returns the choice for the accuracy, or the most exact one where that accuracy is out of reach. */
 Choice asWellAsCanBe(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                      const std::atomic<bool>& cancel) {
   try {
@@ -60,10 +60,13 @@ std::vector<std::string> resolveAccuracies(scene::Scene& scene, double rate, con
       body.step = choice.step;
       out.push_back(sentence(body, choice));
     } catch (const Unreachable& error) {
-      throw scene::Error(accuracy.place + error.what() + "; allowed: a larger accuracy, a shorter horizon" +
-                         (body.effects.empty()
-                              ? ", or no method, which is closed_form and reaches " + numberText(kClosedFormError, 3)
-                              : ""));
+      const std::string closed_form =
+          body.effects.empty() ? ", or no method (closed_form reaches " + numberText(kClosedFormError, 3) + " rad)"
+                               : "";
+      throw scene::Error(accuracy.place + scene::expectedGot("a larger accuracy, a shorter horizon" + closed_form,
+                                                             numberText(accuracy.error, 3) + " rad for " +
+                                                                 numberText(accuracy.horizon, 3) + " s",
+                                                             error.what()));
     }
   }
   return out;

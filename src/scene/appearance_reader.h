@@ -5,7 +5,7 @@
 
 namespace poinsot::scene {
 
-/** What a body is drawn as. Whether a package has the mesh is not known here: ros/markers/meshes.h. */
+/** Returns what a body is drawn as. Whether a package has the mesh is checked elsewhere: ros/markers/meshes.h. */
 Appearance readAppearance(const Place& place);
 
 }  // namespace poinsot::scene

@@ -19,26 +19,20 @@ namespace {
 
 constexpr double kSameMass = 1e-6;  // relative
 
-const char* const kAllowedBody = "a body, such as {name: brick, inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}";
+const char* const kExpectedBody = "a body, such as {name: brick, inertia: [1, 2, 3], angular_velocity: [0, 1, 0]}";
 
-/** The place with the body's name, if there is anything like one, for all messages that follow. */
+/** Returns the place with the body's name, if that is a scalar, for all messages that follow. */
 Place withName(const Place& place) {
   if (!place.node().IsMap()) return place;
   const YAML::Node name = place.node()["name"];
   return name.IsDefined() && name.IsScalar() ? place.called(name.Scalar()) : place;
 }
 
-void checkKeys(const Fields& fields) {
-  fields.allowOnly({"name", "inertia", "shape", "appearance", "attitude", "angular_velocity", "method", "step",
-                    "accuracy", "horizon", "effects"});
-}
-
 void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::string>& warnings) {
   const auto inertia = fields.find("inertia");
   const auto shape = fields.find("shape");
-  if (inertia && shape) fields.place().refuse("both inertia and shape are given", "exactly one of inertia, shape");
-  if (!inertia && !shape) {
-    fields.place().refuse("the key inertia or shape is missing", "exactly one of inertia, shape");
+  if (inertia.has_value() == shape.has_value()) {
+    fields.place().refuse("exactly one of the keys inertia, shape", inertia ? "both" : "none");
   }
   if (inertia) {
     body.inertia = readInertia(*inertia);
@@ -47,40 +41,36 @@ void readInertiaOrShape(const Fields& fields, Body& body, std::vector<std::strin
     try {
       body.inertia = PrincipalInertia::fromTensor(body.shape->inertiaTensor());
     } catch (const std::invalid_argument& objection) {
-      shape->refuse(objection.what(), "lengths and masses whose volumes and moments doubles can hold");
+      shape->refuse(kExpectedSizes, "others", objection.what());
     }
   }
   if (!body.inertia.satisfiesTriangleInequality()) {
-    const Eigen::Vector3d& m = body.inertia.moments();
-    warnings.push_back(
-        (inertia ? inertia : shape)
-            ->message(
-                "the principal moments " + numberText(m[0], 15) + ", " + numberText(m[1], 15) + ", " +
-                numberText(m[2], 15) +
-                " kg·m² are those of no real body (one exceeds the sum of the other two); simulated all the same"));
+    warnings.push_back((inertia ? inertia : shape)
+                           ->message("the principal moments " + listed(body.inertia.moments()) +
+                                     " kg·m² are those of no real body (one exceeds the sum of the other two); it is "
+                                     "simulated nevertheless"));
   }
 }
 
 /**
- * A shape's moments are about its centre of mass; a body that hangs on a pivot turns about that (Steiner). Body axes
- * keep their directions.
+ * Refers a shape's moments to the pivot on which the body hangs, by Steiner's theorem; a shape gives them about its
+ * centre of mass. Body axes keep their directions.
  */
 void movePivot(const Fields& fields, Body& body) {
   if (!body.shape) return;
+  const auto refuse = [&](const char* expected, const std::string& got, const std::string& why = "") {
+    fields.find("effects")->refuse(expected, got, why);
+  };
   bool moved = false;
   for (const Effect& effect : body.effects) {
     const auto* weight = std::get_if<GravityTorque>(&effect);
     if (!weight) continue;
-    if (moved) {
-      fields.find("effects")->refuse("a second gravity_torque, and a shape has one weight",
-                                     "one gravity_torque, or inertia instead of shape");
-    }
+    if (moved) refuse("one gravity_torque, or inertia instead of shape", "a second gravity_torque");
     moved = true;
     const double mass = body.shape->mass();
     if (!(std::abs(weight->mass - mass) <= kSameMass * mass)) {
-      fields.find("effects")->refuse("the mass of gravity_torque, " + numberText(weight->mass, 15) +
-                                         " kg, is not that of the shape, " + numberText(mass, 15) + " kg",
-                                     "the same mass in both");
+      refuse("the same mass in gravity_torque and shape",
+             numberText(weight->mass, 15) + " kg and " + numberText(mass, 15) + " kg");
     }
     const Eigen::Vector3d& c = weight->centre_of_mass;
     body.shape_position = c;
@@ -88,31 +78,29 @@ void movePivot(const Fields& fields, Body& body) {
       body.inertia = PrincipalInertia::fromTensor(
           body.shape->inertiaTensor() + mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose()));
     } catch (const std::invalid_argument& objection) {
-      fields.find("effects")->refuse("about the pivot of gravity_torque " + std::string(objection.what()),
-                                     "a centre_of_mass so near the pivot that doubles hold the moments about it");
+      refuse("a centre_of_mass so near the pivot of gravity_torque that doubles hold the moments about it",
+             "[" + listed(c) + "] m", objection.what());
     }
   }
 }
 
 void readAngularVelocity(const Fields& fields, Body& body) {
-  const Quantity& quantity = quantity::kAngularVelocity;
-  const Place place = fields.require("angular_velocity", allowedNumbers(3, quantity));
-  body.omega_body = readVector(place, quantity);
+  body.omega_body = requireVector(fields, "angular_velocity", quantity::kAngularVelocity);
   const std::string problem = outOfRange(body.inertia, body.omega_body);
-  if (!problem.empty()) {
-    place.refuse("with this inertia " + problem,
-                 "3 numbers (rad/s), all zero or such that energy and squared momentum are held in full precision");
-  }
+  if (problem.empty()) return;
+  fields.find("angular_velocity")
+      ->refuse(kExpectedSpin, "[" + listed(body.omega_body) + "]", "with this inertia " + problem);
 }
 
 }  // namespace
 
 Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std::string>& warnings) {
-  const Fields fields(withName(unnamed), kAllowedBody);
-  checkKeys(fields);
+  const Fields fields(withName(unnamed), kExpectedBody);
+  fields.allowOnly({"name", "inertia", "shape", "appearance", "attitude", "angular_velocity", "method", "step",
+                    "accuracy", "horizon", "effects"});
 
   Body body;
-  body.name = readName(fields.require("name", "a letter, then letters, digits and underscores"));
+  body.name = readName(fields.require("name", kExpectedName));
   readInertiaOrShape(fields, body, warnings);
   if (const auto appearance = fields.find("appearance")) body.appearance = readAppearance(*appearance);
   if (const auto effects = fields.find("effects")) readEffects(*effects, body);

@@ -9,7 +9,10 @@
 
 namespace poinsot::scene {
 
-/** One entry of `bodies`, all but whether its name clashes with another's. Warnings are appended. */
+/**
+ * Returns the body of one entry of `bodies`. Whether its name clashes with another's is not checked here. Warnings are
+ * appended.
+ */
 Body readBody(const Place& place, const ReadOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace poinsot::scene

@@ -1,11 +1,11 @@
 #include "poinsot/scene/changes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "number.h"
 #include "poinsot/core/method.h"
 #include "poinsot/core/step_limits.h"
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
 #include "step_verdict.h"
 #include "words.h"
@@ -16,15 +16,16 @@ namespace {
 constexpr double kTurnPerStep = 0.02;  // rad
 constexpr double kStepAtRest = 0.01;   // s
 
-[[noreturn]] void refuse(const Body& body, const std::string& what, const std::string& allowed) {
-  throw Error("body \"" + body.name + "\": " + what + "; allowed: " + allowed);
+[[noreturn]] void refuse(const Body& body, const std::string& expected, const std::string& got,
+                         const std::string& why = "") {
+  throw Error("body \"" + body.name + "\": " + expectedGot(expected, got, why));
 }
 
 bool hasStep(const Body& body) {
   return body.method != kClosedForm && body.step.has_value();
 }
 
-/** 1, 2 or 5 times a power of ten, at most x. */
+/** Returns the greatest of 1, 2 and 5 times a power of ten that is at most x. */
 double roundStep(double x) {
   const double decade = std::pow(10, std::floor(std::log10(x)));
   for (const double digit : {5.0, 2.0}) {
@@ -59,19 +60,20 @@ std::vector<std::string> methodsFor(const Body& body) {
 
 Body withMethod(Body body, const std::string& method, std::optional<double> step, std::vector<std::string>& warnings) {
   const std::vector<std::string> known = methodsFor(body);
-  if (std::find(known.begin(), known.end(), method) == known.end()) {
-    refuse(body, "\"" + method + "\" is no method that moves this body" + didYouMean(method, known), joined(known));
+  if (!contains(known, method)) {
+    refuse(body, "one of the methods that move this body, " + joined(known),
+           "\"" + method + "\"" + didYouMean(method, known));
   }
   body.method = method;
   body.accuracy.reset();
   body.step.reset();
   if (method == kClosedForm) return body;
   if (step && !(*step > 0 && std::isfinite(*step))) {
-    refuse(body, "a step of " + numberText(*step, 15), allowedNumber(quantity::kStep));
+    refuse(body, expectedNumber(quantity::kStep) + " as step", numberText(*step, 15));
   }
   body.step = step ? *step : suitableStep(body);
   const StepVerdict verdict = verdictOnStep(body);
-  if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.problem, verdict.instead);
+  if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.instead, verdict.problem);
   if (verdict.grade == StepJudgement::Grade::doubtful) {
     warnings.push_back("body \"" + body.name + "\": " + verdict.problem + "; better: " + verdict.instead);
   }
@@ -79,11 +81,8 @@ Body withMethod(Body body, const std::string& method, std::optional<double> step
 }
 
 Body withSpin(Body body, const MotionState& now, const Eigen::Vector3d& omega_body) {
-  const std::string allowed =
-      "3 finite numbers (rad/s), all zero or such that energy and squared momentum are held in full precision";
-  if (!omega_body.allFinite()) refuse(body, "an angular velocity that is not finite", allowed);
   const std::string problem = outOfRange(body.inertia, omega_body);
-  if (!problem.empty()) refuse(body, "with this angular velocity " + problem, allowed);
+  if (!problem.empty()) refuse(body, kExpectedSpin, "[" + listed(omega_body) + "]", problem);
   body.attitude = now.attitude;
   body.omega_body = omega_body;
   if (body.translation) {
@@ -92,7 +91,7 @@ Body withSpin(Body body, const MotionState& now, const Eigen::Vector3d& omega_bo
   }
   if (hasStep(body) && !body.accuracy) {
     const StepVerdict verdict = verdictOnStep(body);
-    if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.problem, verdict.instead);
+    if (verdict.grade == StepJudgement::Grade::hopeless) refuse(body, verdict.instead, verdict.problem);
   }
   return body;
 }

@@ -8,29 +8,27 @@
 #include <vector>
 
 #include "place.h"
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
 
 namespace poinsot::scene {
 namespace {
 
-const char* const kOneDocument = "; allowed: one YAML document";
+const char* const kOneDocument = "one YAML document";
 
-std::string placeIn(const std::string& source, const YAML::Mark& mark) {
-  return source + (mark.is_null() ? "" : ":" + std::to_string(mark.line + 1));
-}
-
-/** yaml-cpp takes some control characters as the end of the file and would drop the rest without a word. */
+/** Refuses control characters: yaml-cpp takes some of them as the end of the file and would silently drop the rest. */
 void refuseControlCharacters(const std::string& text, const std::string& source) {
   int line = 1;
   for (const char c : text) {
     if (c == '\n') ++line;
     if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t') {
-      throw Error(source + ":" + std::to_string(line) + ": a control character; allowed: YAML text in UTF-8");
+      throw Error(source + ":" + std::to_string(line) + ": " +
+                  expectedGot("YAML text in UTF-8", "a control character"));
     }
   }
 }
 
-/** The line of the text on which the mark is, from the mark on. */
+/** Returns the rest of the line on which the mark is, from the mark on. */
 std::string restOfLine(const std::string& text, const YAML::Mark& mark) {
   std::istringstream in(text);
   std::string line;
@@ -41,7 +39,7 @@ std::string restOfLine(const std::string& text, const YAML::Mark& mark) {
   return line.substr(std::min<std::size_t>(line.size(), static_cast<std::size_t>(mark.column)));
 }
 
-/** Goes through one document without keeping it; refuses a second one, and more values than a tree may have. */
+/** Goes through one document without keeping it; refuses a second one, and more values or levels than allowed. */
 class Inspection : public YAML::EventHandler {
  public:
   Inspection(const std::string& text, const std::string& source) : text_(text), source_(source) {}
@@ -76,26 +74,26 @@ class Inspection : public YAML::EventHandler {
     std::size_t values_before;
   };
 
+  [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& expected, const std::string& got) const {
+    throw Error(lineOf(source_, mark) + ": " + expectedGot(expected, got));
+  }
+
   [[noreturn]] void refuseSecond(const YAML::Mark& mark) const {
     const std::string found = restOfLine(text_, mark);
     const bool is_document = mark.column == 0 && found.compare(0, 3, "---") == 0;
-    throw Error(placeIn(source_, mark) + ": " +
-                (is_document ? "a second YAML document" : "\"" + shortened(found) + "\" outside of the YAML document") +
-                kOneDocument);
+    refuse(mark, kOneDocument, is_document ? "a second" : "\"" + shortened(found) + "\" outside of it");
   }
 
   void count(const YAML::Mark& mark, std::size_t values) {
     values_ += values;
     if (values_ <= kMostValues) return;
-    throw Error(placeIn(source_, mark) + ": more than " + std::to_string(kMostValues) +
-                " values and keys, those behind an alias counted at each use; allowed: up to " +
-                std::to_string(kMostValues));
+    const std::string most = std::to_string(kMostValues);
+    refuse(mark, "at most " + most + " values and keys, those behind an alias counted at each use", "more");
   }
 
   void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (open_.size() == kMostNested) {
-      throw Error(placeIn(source_, mark) + ": more than " + std::to_string(kMostNested) +
-                  " lists and maps within each other; allowed: up to " + std::to_string(kMostNested));
+      refuse(mark, "at most " + std::to_string(kMostNested) + " lists and maps within each other", "more");
     }
     open_.push_back({anchor, values_});
     count(mark, 1);
@@ -119,18 +117,18 @@ class Inspection : public YAML::EventHandler {
 YAML::Node parseDocument(const std::string& text, const std::string& source) {
   refuseControlCharacters(text, source);
   try {
-    // YAML::Load takes the first document and leaves what follows unread; YAML::LoadAll never ends on a text such as
-    // ",", of which it makes empty documents for ever. So look first whether anything follows, at most once.
+    // YAML::Load reads the first document and ignores the rest; YAML::LoadAll never ends on a text such as ",", which
+    // it takes for endless empty documents. So the text is first searched for a second document.
     std::istringstream in(text);
     YAML::Parser parser(in);
     Inspection inspection(text, source);
     if (!parser.HandleNextDocument(inspection)) {
-      throw Error(source + ": the file is empty; allowed: a map with the keys rate, bodies");
+      throw Error(source + ": " + expectedGot(kExpectedScene, "an empty file"));
     }
     parser.HandleNextDocument(inspection);
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw Error(placeIn(source, error.mark) + ": not YAML, " + error.msg + kOneDocument);
+    throw Error(lineOf(source, error.mark) + ": " + expectedGot(kOneDocument, "text that is not YAML", error.msg));
   }
 }
 

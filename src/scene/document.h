@@ -7,14 +7,18 @@
 
 namespace poinsot::scene {
 
-/** How many values and keys a document may hold, those behind an alias counted at each use. */
+/** What the top of a scene must be. */
+constexpr const char* kExpectedScene = "a map with the keys rate, bodies";
+
+/** The most values and keys that a document may hold, those behind an alias counted at each use. */
 constexpr std::size_t kMostValues = 500000;
 
-/** How many lists and maps may lie within each other. */
+/** The deepest nesting of lists and maps. */
 constexpr std::size_t kMostNested = 100;
 
 /**
- * The tree of a text that holds one YAML document and nothing else. Throws Error, with a line where there is one.
+ * Returns the tree of a text that holds one YAML document and nothing else. Throws Error, with a line where there is
+ * one.
  * @param source stands for the file name in messages.
  */
 YAML::Node parseDocument(const std::string& text, const std::string& source);

@@ -8,20 +8,24 @@
 
 #include "fields.h"
 #include "number.h"
-#include "words.h"
 
 namespace poinsot::scene {
 namespace {
 
-/** A type of effect: its keys besides `type`, and what puts it into the body. */
+/** A type of effect: its keys besides `type`, and the function that reads it into the body. */
 struct EffectType {
-  const char* name;
+  std::string name;
   std::vector<std::string> keys;
   void (*read)(const Fields& fields, Body& body);
 };
 
+/** Refuses the effect if the body has one of its type already. */
+void requireFirst(const Fields& fields, const std::string& type, bool is_second) {
+  if (is_second) fields.place().refuse("one " + type + " per body", "a second");
+}
+
 void readTranslation(const Fields& fields, Body& body) {
-  if (body.translation) fields.place().refuse("a second translation", "one translation a body");
+  requireFirst(fields, Translation::kName, body.translation.has_value());
   Translation translation;
   if (const auto place = fields.find("position")) translation.position = readVector(*place, quantity::kPosition);
   if (const auto place = fields.find("velocity")) translation.velocity = readVector(*place, quantity::kVelocity);
@@ -32,16 +36,7 @@ void readTranslation(const Fields& fields, Body& body) {
 }
 
 Axes readFrame(const Fields& fields) {
-  const Place place = fields.require("frame", "body or world: in which axes the torque is constant");
-  return readChoice(place, {"body", "world"}) == "body" ? Axes::body : Axes::world;
-}
-
-Eigen::Vector3d requireVector(const Fields& fields, const char* key, const Quantity& quantity) {
-  return readVector(fields.require(key, allowedNumbers(3, quantity)), quantity);
-}
-
-double requireNumber(const Fields& fields, const char* key, const Quantity& quantity) {
-  return readNumber(fields.require(key, allowedNumber(quantity)), quantity);
+  return fields.requireChoice("frame", {"body", "world"}) == "body" ? Axes::body : Axes::world;
 }
 
 /** Whether the body has an effect of this type already. */
@@ -49,12 +44,6 @@ template <class Type>
 bool has(const Body& body) {
   return std::any_of(body.effects.begin(), body.effects.end(),
                      [](const Effect& effect) { return std::holds_alternative<Type>(effect); });
-}
-
-template <class Type>
-void requireFirst(const Fields& fields, const Body& body) {
-  if (!has<Type>(body)) return;
-  fields.place().refuse("a second " + std::string(Type::kName), "one " + std::string(Type::kName) + " a body");
 }
 
 void readConstantTorque(const Fields& fields, Body& body) {
@@ -71,15 +60,16 @@ void readGravityTorque(const Fields& fields, Body& body) {
 }
 
 void readGravityGradient(const Fields& fields, Body& body) {
-  requireFirst<GravityGradient>(fields, body);
+  requireFirst(fields, GravityGradient::kName, has<GravityGradient>(body));
   GravityGradient out;
   out.orbit_rate = requireNumber(fields, "orbit_rate", quantity::kOrbitRate);
   const auto direction = [&fields](const char* key) {
     const Place place = fields.require(key, "a direction in world axes, a list of 3 finite numbers, not all zero");
     const Eigen::Vector3d v = readVector(place, quantity::kDirection);
-    if (v.isZero(0)) place.refuse("a zero vector is no direction", "3 finite numbers, not all zero");
-    if (!std::isfinite(v.stableNorm()))
-      place.refuse("its length is not finite in double precision", "a shorter vector");
+    if (v.isZero(0)) place.refuse("3 finite numbers, not all zero", "a zero vector");
+    if (!std::isfinite(v.stableNorm())) {
+      place.refuse("a vector whose length is finite in double precision", "[" + listed(v) + "]");
+    }
     return v;
   };
   out.orbit_normal = direction("orbit_normal");
@@ -88,14 +78,15 @@ void readGravityGradient(const Fields& fields, Body& body) {
     Torques alone(body.inertia);
     out.addTo(alone);
   } catch (const std::invalid_argument& objection) {
-    fields.find("radial_at_start")->refuse(objection.what(), "a direction in the plane of the orbit");
+    fields.find("radial_at_start")
+        ->refuse("a direction in the plane of the orbit", "[" + listed(out.radial_at_start) + "]", objection.what());
   }
   body.effects.push_back(out);
 }
 
 void readViscousDamping(const Fields& fields, Body& body) {
-  const std::string allowed = allowedNumber(quantity::kDamping) + ", or a list of 3, one for each body axis";
-  const Place place = fields.require("coefficient", allowed);
+  const Place place =
+      fields.require("coefficient", expectedNumber(quantity::kDamping) + ", or a list of 3, one for each body axis");
   ViscousDamping out;
   if (place.node().IsSequence()) {
     out.coefficients = readVector(place, quantity::kDamping);
@@ -106,7 +97,7 @@ void readViscousDamping(const Fields& fields, Body& body) {
 }
 
 void readInternalDissipation(const Fields& fields, Body& body) {
-  requireFirst<InternalDissipation>(fields, body);
+  requireFirst(fields, InternalDissipation::kName, has<InternalDissipation>(body));
   InternalDissipation out;
   out.slug_inertia = requireNumber(fields, "slug_inertia", quantity::kInertia);
   out.damping = requireNumber(fields, "damping", quantity::kDamping);
@@ -114,13 +105,13 @@ void readInternalDissipation(const Fields& fields, Body& body) {
 }
 
 void readTorqueSchedule(const Fields& fields, Body& body) {
-  const char* const allowed = "a list of segments such as {from: 1, to: 2, frame: body, torque: [0, 0, 1]}";
-  const Place list = fields.require("segments", allowed);
-  list.requireList(allowed);
-  if (list.node().size() == 0) list.refuse("an empty list switches nothing", allowed);
+  const char* const expected =
+      "a list of at least one segment, such as {from: 1, to: 2, frame: body, torque: [0, 0, 1]}";
+  const Place list = fields.require("segments", expected);
+  list.requireList(expected, 1);
   TorqueSchedule out;
   for (std::size_t i = 0; i < list.node().size(); ++i) {
-    const Fields segment(list.item(i), allowed);
+    const Fields segment(list.item(i), "a segment, such as {from: 1, to: 2, frame: body, torque: [0, 0, 1]}");
     segment.allowOnly({"from", "to", "frame", "torque"});
     TorqueSchedule::Segment read;
     read.from = requireNumber(segment, "from", quantity::kTime);
@@ -128,16 +119,17 @@ void readTorqueSchedule(const Fields& fields, Body& body) {
     read.axes = readFrame(segment);
     read.torque = requireVector(segment, "torque", quantity::kTorque);
     if (!(read.from < read.to)) {
-      segment.find("to")->refuse(numberText(read.to, 15) + " s is not after from, " + numberText(read.from, 15) + " s",
-                                 "a time after from");
+      segment.find("to")->refuse("a time after from, " + numberText(read.from, 15) + " s",
+                                 numberText(read.to, 15) + " s");
     }
     for (const TorqueSchedule::Segment& other : out.segments) {
       if (read.from >= other.to || read.to <= other.from) continue;
+      const auto span = [](const TorqueSchedule::Segment& s) {
+        return "from " + numberText(s.from, 15) + " to " + numberText(s.to, 15) + " s";
+      };
       segment.find("from")->refuse(
-          "from " + numberText(read.from, 15) + " to " + numberText(read.to, 15) +
-              " s overlaps another segment, from " + numberText(other.from, 15) + " to " + numberText(other.to, 15) +
-              " s",
-          "segments that do not overlap; a second torque_schedule for torques at the same time");
+          "segments that do not overlap (torques at the same time go into a second torque_schedule)",
+          "one " + span(read) + " that overlaps another, " + span(other));
     }
     out.segments.push_back(read);
   }
@@ -159,19 +151,8 @@ const std::vector<EffectType>& effectTypes() {
 }
 
 void readEffect(const Place& place, Body& body) {
-  std::vector<std::string> names;
-  for (const EffectType& type : effectTypes()) names.push_back(type.name);
-
   const Fields fields(place, "an effect, such as {type: translation, velocity: [0, 0, 1]}");
-  const std::string name = readChoice(fields.require("type", "one of " + joined(names)), names);
-  for (const EffectType& type : effectTypes()) {
-    if (name != type.name) continue;
-    std::vector<std::string> keys = {"type"};
-    keys.insert(keys.end(), type.keys.begin(), type.keys.end());
-    fields.allowOnly(keys);
-    return type.read(fields, body);
-  }
-  throw std::logic_error("a type of effect that is chosen but not in the table");
+  fields.requireType(effectTypes()).read(fields, body);
 }
 
 }  // namespace
@@ -183,11 +164,11 @@ void readEffects(const Place& place, Body& body) {
     try {
       sumOf(body.inertia, body.effects);
     } catch (const std::invalid_argument& objection) {
-      place.item(i).refuse(objection.what(), "effects that go together and whose sum doubles hold");
+      place.item(i).refuse("effects that go together and whose sum doubles hold", "another effect", objection.what());
     }
     if (body.translation && has<GravityTorque>(body)) {
-      place.item(i).refuse("gravity_torque holds the body at a fixed pivot, and translation moves it",
-                           "one of gravity_torque, translation");
+      place.item(i).refuse("one of gravity_torque, translation", "both",
+                           "gravity_torque holds the body at a fixed pivot, and translation moves it");
     }
   }
 }

@@ -5,7 +5,7 @@
 
 namespace poinsot::scene {
 
-/** The list of what acts on a body, into the body; one line a type in the table of the implementation. */
+/** Reads the list of what acts on a body into the body. The table of the implementation has one line for each type. */
 void readEffects(const Place& place, Body& body);
 
 }  // namespace poinsot::scene

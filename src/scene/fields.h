@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,21 +9,38 @@
 
 namespace poinsot::scene {
 
-/** The entries of a map. On construction refuses what is no map, keys that are no plain words, and duplicate keys. */
+/** The entries of a map. The constructor refuses anything but a map, keys that are not words, and duplicate keys. */
 class Fields {
  public:
-  /** @param allowed what to say is allowed where the place holds no map. */
-  Fields(const Place& place, const std::string& allowed);
+  /** @param expected what a message says was expected where the place holds no map. */
+  Fields(const Place& place, const std::string& expected);
 
-  /** Refuses every key but these, and suggests the one that was probably meant. */
+  /** Refuses every key but these; the message suggests the one that was probably meant. */
   void allowOnly(const std::vector<std::string>& keys) const;
 
+  /** Returns the place under a key, or nothing where there is no such key. */
   std::optional<Place> find(const std::string& key) const;
 
-  /** The place under a key that must be there. @param allowed what the key takes, for the message. */
-  Place require(const std::string& key, const std::string& allowed) const;
+  /** Returns the place under a key that must be there. @param expected what the key takes, for the message. */
+  Place require(const std::string& key, const std::string& expected) const;
 
-  /** Where the whole map is. */
+  /** Returns the entry of a table that the key `type` names; refuses keys other than `type` and those of the entry. */
+  template <class Type>
+  const Type& requireType(const std::vector<Type>& table) const {
+    std::vector<std::string> names;
+    for (const Type& type : table) names.push_back(type.name);
+    const std::string name = requireChoice("type", names);
+    const auto type = std::find_if(table.begin(), table.end(), [&](const Type& t) { return t.name == name; });
+    std::vector<std::string> keys = {"type"};
+    keys.insert(keys.end(), type->keys.begin(), type->keys.end());
+    allowOnly(keys);
+    return *type;
+  }
+
+  /** Returns the word under a key that must be there, out of a fixed set. */
+  std::string requireChoice(const std::string& key, const std::vector<std::string>& known) const;
+
+  /** Returns the place of the whole map. */
   const Place& place() const { return place_; }
 
  private:

@@ -8,7 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-const char* const kAllowed =
+const char* const kExpected =
     "3 positive finite principal moments, or a symmetric positive definite tensor as 3 lists of 3 finite numbers "
     "(kg·m²)";
 
@@ -22,17 +22,14 @@ bool holdsLists(const Place& list) {
 }  // namespace
 
 PrincipalInertia readInertia(const Place& place) {
-  place.requireList(kAllowed);
-  if (place.node().size() != 3) {
-    place.refuse(place.found() + (place.node().size() < 3 ? " is too short" : " is too long"), kAllowed);
-  }
+  place.requireList(kExpected, 3, 3);
   try {
     if (!holdsLists(place)) return PrincipalInertia::fromMoments(readVector(place, quantity::kInertia));
     Eigen::Matrix3d tensor;
     for (int row = 0; row < 3; ++row) tensor.row(row) = readVector(place.item(row), quantity::kInertiaEntry);
     return PrincipalInertia::fromTensor(tensor);
   } catch (const std::invalid_argument& objection) {
-    place.refuse(objection.what(), kAllowed);
+    place.refuse(kExpected, "another list", objection.what());
   }
 }
 

@@ -5,7 +5,7 @@
 
 namespace poinsot::scene {
 
-/** Three principal moments, or a 3×3 tensor (symmetric, positive definite), about the centre of mass [kg·m²]. */
+/** Returns the inertia [kg·m²] of three principal moments, or of a symmetric positive definite 3×3 tensor. */
 PrincipalInertia readInertia(const Place& place);
 
 }  // namespace poinsot::scene

@@ -6,6 +6,7 @@
 #include "number.h"
 #include "poinsot/core/method.h"
 #include "poinsot/scene/changes.h"
+#include "poinsot/scene/message.h"
 #include "step_verdict.h"
 #include "words.h"
 
@@ -15,10 +16,10 @@ namespace {
 const char* const kAnyStepper = "stepper";  // beside an accuracy: any method but the closed form
 constexpr double kLargestAccuracy = 1;      // rad
 
-// Where a scene names neither method nor accuracy for a body with effects. The time is about that of a look at a scene.
+// For a body with effects where the scene names neither method nor accuracy; a scene is watched for about so long.
 constexpr double kDefaultAccuracy = 1e-9, kDefaultHorizon = 60;  // rad, s
 
-/** What a scene may name as the method of a body; "stepper" among them. */
+/** Returns the words that a scene may name as the method of a body, "stepper" among them. */
 std::vector<std::string> namesOfMethods(bool with_effects) {
   std::vector<std::string> names;
   if (!with_effects) names.push_back(kClosedForm);
@@ -29,38 +30,32 @@ std::vector<std::string> namesOfMethods(bool with_effects) {
 
 std::string readMethodName(const Place& place, const Body& body) {
   const bool with_effects = !body.effects.empty();
-  const std::vector<std::string> names = namesOfMethods(with_effects), others = namesOfMethods(!with_effects);
-  const std::string word = place.node().IsScalar() ? place.node().Scalar() : "";
-  const bool belongs_to_others = std::find(names.begin(), names.end(), word) == names.end() &&
-                                 std::find(others.begin(), others.end(), word) != others.end();
-  if (!with_effects) {
-    if (belongs_to_others) {
-      place.refuse(word + " is a method for bodies with effects, and nothing acts on this one", joined(names));
+  const std::vector<std::string> names = namesOfMethods(with_effects);
+  const std::string& word = place.scalar();
+  if (!contains(names, word) && contains(namesOfMethods(!with_effects), word)) {
+    std::string expected = "one of " + joined(names),
+                why = "it is for bodies with effects, and nothing acts on this one";
+    if (with_effects) why = "it is for free bodies and takes no " + nameOf(body.effects.front());
+    if (word == kClosedForm) {
+      expected += ", or no method, which leaves the choice";
+      why = "it is the motion of a free body, and " + nameOf(body.effects.front()) + " changes that motion";
     }
-    return readChoice(place, names);
-  }
-  const std::string effect = nameOf(body.effects.front());
-  if (word == kClosedForm) {
-    place.refuse("closed_form is the motion of a free body, and " + effect + " makes it another, which has none",
-                 joined(names) + ", or no method, which leaves the choice");
-  }
-  if (belongs_to_others) {
-    place.refuse(word + " is a method for free bodies and takes no " + effect, joined(names));
+    place.refuse(expected, place.found(), why);
   }
   const std::string name = readChoice(place, names);
-  if (const Method* method = findMethod(name)) {
+  if (const Method* method = findMethod(name); method && with_effects) {
     const std::string objection = objectionTo(*method, sumOf(body.inertia, body.effects));
-    if (!objection.empty()) place.refuse(objection, joined(methodsFor(body)));
+    if (!objection.empty()) place.refuse("one of " + joined(methodsFor(body)), place.found(), objection);
   }
   return name;
 }
 
-/** The scene's, the program's, or the longer of both. */
+/** Returns the horizon of the scene or of the program [s]; the longer of both where both give one. */
 double readHorizon(const Fields& fields, const ReadOptions& options) {
   const auto given = fields.find("horizon");
   if (!given && options.horizon) return *options.horizon;
   const Place place =
-      fields.require("horizon", "how long the accuracy must hold, " + allowedNumber(quantity::kDuration));
+      fields.require("horizon", "how long the accuracy must hold, " + expectedNumber(quantity::kDuration));
   return std::max(readNumber(place, quantity::kDuration), options.horizon.value_or(0));
 }
 
@@ -70,8 +65,8 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOption
   Accuracy out;
   out.error = readNumber(place, quantity::kAngleError);
   if (!(out.error <= kLargestAccuracy)) {
-    place.refuse(numberText(out.error, 15) + " is more than a wrong attitude can be told from a right one",
-                 "a positive number up to " + numberText(kLargestAccuracy, 15) + " (rad)");
+    place.refuse("a positive number up to " + numberText(kLargestAccuracy, 15) + " (rad)", numberText(out.error, 15),
+                 "such an error leaves a wrong attitude indistinguishable from a right one");
   }
   out.horizon = readHorizon(fields, options);
   if (!method.empty() && method != kAnyStepper) {
@@ -88,7 +83,7 @@ Accuracy readAccuracy(const Place& place, const Fields& fields, const ReadOption
 void judge(const Place& place, const Body& body, std::vector<std::string>& warnings) {
   const StepVerdict verdict = verdictOnStep(body);
   if (verdict.grade == StepJudgement::Grade::sound) return;
-  if (verdict.grade == StepJudgement::Grade::hopeless) place.refuse(verdict.problem, verdict.instead);
+  if (verdict.grade == StepJudgement::Grade::hopeless) place.refuse(verdict.instead, verdict.problem);
   warnings.push_back(place.message(verdict.problem + "; better: " + verdict.instead));
 }
 
@@ -99,26 +94,25 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
   const auto step = fields.find("step");
   const auto accuracy = fields.find("accuracy");
   if (const auto horizon = fields.find("horizon"); horizon && !accuracy) {
-    horizon->refuse("a horizon says how long an accuracy must hold, and the key accuracy is missing",
-                    "accuracy beside it, " + allowedNumber(quantity::kAngleError));
+    horizon->refuse("the key accuracy beside it, " + expectedNumber(quantity::kAngleError), "none",
+                    "a horizon says how long an accuracy must hold");
   }
   if (method) body.method = readMethodName(*method, body);
   if (accuracy) {
     body.accuracy = readAccuracy(*accuracy, fields, options, body, method ? body.method : std::string());
     if (step) {
-      step->refuse("the key accuracy stands beside it, from which the step follows", "accuracy or step, not both");
+      step->refuse("one of the keys accuracy, step", "both", "the step follows from the accuracy");
     }
     return;
   }
   if (body.method == kAnyStepper) {
-    method->refuse("stepper leaves it to an accuracy which one, and the key accuracy is missing",
-                   "accuracy and horizon beside it, or one of " +
-                       methodNames(body.effects.empty() ? freeMethods() : torquedMethods()) + " and a step");
+    method->refuse("the keys accuracy and horizon beside it, or one of " +
+                       methodNames(body.effects.empty() ? freeMethods() : torquedMethods()) + " and a step",
+                   method->found() + " alone", "the accuracy decides which stepper it is");
   }
   if (!body.effects.empty() && !method) {
     if (step) {
-      step->refuse("no method is named that would take it",
-                   "no step, or one beside a method: " + joined(methodsFor(body)));
+      step->refuse("no step, or one beside a method (" + joined(methodsFor(body)) + ")", "a step without a method");
     }
     Accuracy usual;
     usual.error = kDefaultAccuracy;
@@ -131,13 +125,12 @@ void readMethod(const Fields& fields, const ReadOptions& options, Body& body, st
   }
   if (body.effects.empty() && body.method == kClosedForm) {
     if (!step) return;
-    step->refuse(
-        method ? "closed_form takes no step" : "no method is named, and the default, closed_form, takes no step",
-        "no step, or one beside a method that steps: " + methodNames(freeMethods()));
+    step->refuse("no step, or one beside a method that steps (" + methodNames(freeMethods()) + ")",
+                 method ? "a step beside closed_form" : "a step without a method, which means closed_form");
   }
   if (!step) {
-    method->refuse(body.method + " goes in steps and the key step is missing",
-                   "step, " + allowedNumber(quantity::kStep));
+    method->refuse("the key step beside it, " + expectedNumber(quantity::kStep), "none",
+                   body.method + " goes in steps");
   }
   body.step = readNumber(*step, quantity::kStep);
   judge(*step, body, warnings);

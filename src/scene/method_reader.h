@@ -10,10 +10,10 @@
 namespace poinsot::scene {
 
 /**
- * The body's method and its step, from the keys `method` and `step`, or the accuracy that is wanted instead, from
- * `accuracy` and `horizon` (the longer of this and the options'); the closed form where there are none. Inertia and
- * angular velocity are read already: a step that is hopeless for this body is refused, of a doubtful one a warning is
- * appended.
+ * Reads the body's method and step from the keys `method` and `step`, or the requested accuracy from `accuracy` and
+ * `horizon` (the longer of this and the options'); where there are none, the body gets the closed form. Inertia and
+ * angular velocity must be read already: a step that is hopeless for this body is refused, and a doubtful one gives a
+ * warning.
  */
 void readMethod(const Fields& fields, const ReadOptions& options, Body& body, std::vector<std::string>& warnings);
 

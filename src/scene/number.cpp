@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "characters.h"
 
@@ -51,12 +52,11 @@ bool namesNonFinite(const std::string& text) {
   Scanner scan{text};
   scan.skip("+-");
   scan.skip(".");
-  std::string word = text.substr(scan.at);
-  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string word = lower(text.substr(scan.at));
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-/** The value of a decimal number; infinite beyond the largest double. */
+/** Returns the value of a decimal number; infinite beyond the largest double. */
 double valueOf(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
@@ -65,7 +65,7 @@ double valueOf(const std::string& text) {
   return in.fail() ? HUGE_VAL : value;  // the grammar holds, so only overflow can fail
 }
 
-std::string allowedKind(const Quantity& quantity) {
+std::string kindOf(const Quantity& quantity) {
   switch (quantity.range) {
     case Quantity::Range::positive:
       return "positive finite";
@@ -82,39 +82,42 @@ std::string unitOf(const Quantity& quantity) {
   return unit.empty() ? "" : " (" + unit + ")";
 }
 
-}  // namespace
-
-std::string allowedNumber(const Quantity& quantity) {
-  return "a " + allowedKind(quantity) + " number" + unitOf(quantity);
-}
-
-std::string allowedNumbers(std::size_t count, const Quantity& quantity) {
-  return "a list of " + std::to_string(count) + " " + allowedKind(quantity) + " numbers" + unitOf(quantity);
-}
-
-double readNumber(const Place& place, const Quantity& quantity) {
-  const auto refuse = [&](const std::string& why) { place.refuse(place.found() + why, allowedNumber(quantity)); };
-  if (!place.node().IsScalar()) refuse(" is not a number");
-  const std::string& text = place.node().Scalar();
-  if (namesNonFinite(text)) refuse(" is not finite");
-  const Notation notation = notationOf(text);
-  if (notation == Notation::leading_zero) refuse(" has a leading zero, which some readers take as octal");
-  if (notation == Notation::none) refuse(" is not a decimal number");
-  const double value = valueOf(text);
-  if (!std::isfinite(value)) refuse(" is not finite in double precision");
-  if (quantity.range == Quantity::Range::positive && !(value > 0)) refuse(" is not positive");
-  if (quantity.range == Quantity::Range::not_negative && value < 0) refuse(" is negative");
-  return value;
-}
-
 std::vector<double> readNumbers(const Place& place, std::size_t count, const Quantity& quantity) {
-  const std::string allowed = allowedNumbers(count, quantity);
-  place.requireList(allowed);
-  const std::size_t size = place.node().size();
-  if (size != count) place.refuse(place.found() + (size < count ? " is too short" : " is too long"), allowed);
+  place.requireList(expectedNumbers(count, quantity), count, count);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < count; ++i) numbers.push_back(readNumber(place.item(i), quantity));
   return numbers;
+}
+
+}  // namespace
+
+std::string expectedNumber(const Quantity& quantity) {
+  return "a " + kindOf(quantity) + " number" + unitOf(quantity);
+}
+
+std::string expectedNumbers(std::size_t count, const Quantity& quantity) {
+  return "a list of " + std::to_string(count) + " " + kindOf(quantity) + " numbers" + unitOf(quantity);
+}
+
+std::string listed(const Eigen::Vector3d& v) {
+  return numberText(v[0], 15) + ", " + numberText(v[1], 15) + ", " + numberText(v[2], 15);
+}
+
+double readNumber(const Place& place, const Quantity& quantity) {
+  const auto refuse = [&](const std::string& why = "") { place.refuse(expectedNumber(quantity), place.found(), why); };
+  const std::string& text = place.scalar();
+  if (!place.node().IsScalar() || namesNonFinite(text)) refuse();
+  const Notation notation = notationOf(text);
+  if (notation == Notation::leading_zero) refuse("some readers take the leading zero as octal");
+  if (notation == Notation::none) refuse("not a decimal number");
+  const double value = valueOf(text);
+  if (!std::isfinite(value)) refuse("not finite in double precision");
+  if (quantity.range == Quantity::Range::positive && !(value > 0)) {
+    const bool underflow = value == 0 && text.find_first_of("123456789") < text.find_first_of("eE");
+    refuse(underflow ? "zero in double precision" : "");
+  }
+  if (quantity.range == Quantity::Range::not_negative && value < 0) refuse();
+  return value;
 }
 
 Eigen::Vector3d readVector(const Place& place, const Quantity& quantity) {
@@ -125,11 +128,19 @@ Eigen::Quaterniond readRotation(const Place& place) {
   const std::vector<double> wxyz = readNumbers(place, 4, quantity::kQuaternionEntry);
   double largest = 0;
   for (const double entry : wxyz) largest = std::max(largest, std::abs(entry));
-  if (largest == 0) place.refuse("a zero quaternion is no rotation", "four finite numbers w x y z, not all zero");
+  if (largest == 0) place.refuse("four finite numbers w x y z, not all zero", "a zero quaternion");
   // A power of two first, so that no square leaves the range of doubles and nothing is rounded.
   const int exponent = std::ilogb(largest);
   const auto scaled = [&](int i) { return std::scalbn(wxyz[i], -exponent); };
   return Eigen::Quaterniond(scaled(0), scaled(1), scaled(2), scaled(3)).normalized();
+}
+
+double requireNumber(const Fields& fields, const char* key, const Quantity& quantity) {
+  return readNumber(fields.require(key, expectedNumber(quantity)), quantity);
+}
+
+Eigen::Vector3d requireVector(const Fields& fields, const char* key, const Quantity& quantity) {
+  return readVector(fields.require(key, expectedNumbers(3, quantity)), quantity);
 }
 
 }  // namespace poinsot::scene

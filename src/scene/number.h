@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "fields.h"
 #include "place.h"
 #include "poinsot/core/number_text.h"
 
 namespace poinsot::scene {
 
-/** What a number stands for: it decides which values are allowed, and how a message says so. */
+/** What a number stands for: this decides which values are allowed, and how a message says so. */
 struct Quantity {
   enum class Range { positive, not_negative, any };
   Range range;       ///< besides being finite
@@ -40,25 +41,37 @@ constexpr Quantity kDuration{Quantity::Range::positive, "s"};
 constexpr Quantity kQuaternionEntry{Quantity::Range::any, ""};
 }  // namespace quantity
 
+/** What an angular velocity must be besides a list of three numbers. */
+constexpr const char* kExpectedSpin =
+    "3 finite numbers (rad/s), all zero or such that energy and squared momentum are held in full precision";
+
 /** "a positive finite number (kg)". */
-std::string allowedNumber(const Quantity& quantity);
+std::string expectedNumber(const Quantity& quantity);
 
 /** "a list of 3 finite numbers (m)". */
-std::string allowedNumbers(std::size_t count, const Quantity& quantity);
+std::string expectedNumbers(std::size_t count, const Quantity& quantity);
+
+/** "1, 2, 3.5", of 15 significant digits. */
+std::string listed(const Eigen::Vector3d& v);
 
 /**
- * One grammar for all numbers, quoted or not, whatever the locale: [+-]?(digits[.digits]|.digits)([eE][+-]?digits)?
- * Everything that YAML readers understand differently is refused: 0x10, 010, 1_000, 1:30, true, and .inf and .nan.
- * Beyond the largest double: refused; below the smallest: what strtod gives.
+ * Returns a number of the one grammar for all numbers, quoted or not, whatever the locale:
+ * [+-]?(digits[.digits]|.digits)([eE][+-]?digits)?
+ * Refuses whatever YAML readers understand differently: 0x10, 010, 1_000, 1:30, true, and .inf and .nan. A number
+ * beyond the largest double is refused; one below the smallest becomes what strtod gives.
  */
 double readNumber(const Place& place, const Quantity& quantity);
 
-/** A list of exactly `count` numbers. */
-std::vector<double> readNumbers(const Place& place, std::size_t count, const Quantity& quantity);
-
+/** Returns the three numbers of a list. */
 Eigen::Vector3d readVector(const Place& place, const Quantity& quantity);
 
-/** Four numbers w x y z, not all zero, of any length; normalised. */
+/** Returns a unit quaternion, from a list of four numbers w x y z, not all zero, of any length. */
 Eigen::Quaterniond readRotation(const Place& place);
+
+/** Returns the number under a key that must be there. */
+double requireNumber(const Fields& fields, const char* key, const Quantity& quantity);
+
+/** Returns the three numbers of the list under a key that must be there. */
+Eigen::Vector3d requireVector(const Fields& fields, const char* key, const Quantity& quantity);
 
 }  // namespace poinsot::scene

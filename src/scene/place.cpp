@@ -1,5 +1,6 @@
 #include "place.h"
 
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
 
 namespace poinsot::scene {
@@ -23,9 +24,13 @@ std::string shortened(const std::string& text) {
   return shown;
 }
 
+std::string lineOf(const std::string& source, const YAML::Mark& mark) {
+  return mark.is_null() ? source : source + ":" + std::to_string(mark.line + 1);
+}
+
 Place::Place(const YAML::Node& node, const std::string& source, const std::string& path)
     : node_(node), source_(source), path_(path), mark_(node.Mark()) {
-  if (hasExplicitTag(node)) refuse("the tag " + shortened(node.Tag()) + " is not understood", "no tags");
+  if (hasExplicitTag(node)) refuse("no tags", "the tag " + shortened(node.Tag()));
 }
 
 Place Place::item(std::size_t index) const {
@@ -43,18 +48,19 @@ Place Place::called(const std::string& name) const {
   return {node_, source_, path_ + " \"" + shortened(name) + "\""};
 }
 
-void Place::requireList(const std::string& allowed) const {
-  if (!node_.IsSequence()) refuse(found() + " is not a list", allowed);
+void Place::requireList(const std::string& expected, std::size_t least, std::size_t most) const {
+  if (!node_.IsSequence() || node_.size() < least || node_.size() > most) refuse(expected, found());
 }
 
 std::string Place::found() const {
   switch (node_.Type()) {
     case YAML::NodeType::Scalar: {
       const std::string text = shortened(node_.Scalar());
-      return text.empty() || text.find(' ') != std::string::npos ? '"' + text + '"' : text;
+      const bool like_number = text.find_first_of("+-.0123456789") == 0 && text.find(' ') == std::string::npos;
+      return like_number ? text : '"' + text + '"';
     }
     case YAML::NodeType::Sequence:
-      return "a list of " + std::to_string(node_.size());
+      return node_.size() == 0 ? "an empty list" : "a list of " + std::to_string(node_.size());
     case YAML::NodeType::Map:
       return "a map";
     case YAML::NodeType::Null:
@@ -66,15 +72,11 @@ std::string Place::found() const {
 }
 
 std::string Place::message(const std::string& text) const {
-  std::string out = source_;
-  if (!mark_.is_null()) out += ":" + std::to_string(mark_.line + 1);
-  out += ": ";
-  if (!path_.empty()) out += path_ + ": ";
-  return out + text;
+  return lineOf(source_, mark_) + ": " + (path_.empty() ? "" : path_ + ": ") + text;
 }
 
-void Place::refuse(const std::string& problem, const std::string& allowed) const {
-  throw Error(message(problem + "; allowed: " + allowed));
+void Place::refuse(const std::string& expected, const std::string& got, const std::string& why) const {
+  throw Error(message(expectedGot(expected, got, why)));
 }
 
 }  // namespace poinsot::scene

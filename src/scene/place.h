@@ -3,12 +3,16 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace poinsot::scene {
 
-/** A text as a message shows it: on one line, and not much longer than 60 bytes. */
+/** Returns a text as messages show it: on one line, and cut after about 60 bytes. */
 std::string shortened(const std::string& text);
+
+/** Returns `source:line`, or the source alone where the mark is of no line. */
+std::string lineOf(const std::string& source, const YAML::Mark& mark);
 
 /**
  * A node of the scene's tree and how to point at it in a message: `bodies[1] "hammer".inertia[2]`, counted from 0.
@@ -25,26 +29,33 @@ class Place {
 
   const YAML::Node& node() const { return node_; }
 
-  /** Its entry `index`; this must be a list that has one. */
+  /** Returns a scalar's text; empty for anything else. */
+  const std::string& scalar() const { return node_.Scalar(); }
+
+  /** Returns entry `index` of this list, which must have one. */
   Place item(std::size_t index) const;
 
-  /** What stands under this key; its line is the key's where there is no value. */
+  /** Returns what stands under this key; its line is the key's where there is no value. */
   Place under(const YAML::Node& key, const YAML::Node& value) const;
 
-  /** The same place, the name shown with it. */
+  /** Returns the same place, the name shown with it. */
   Place called(const std::string& name) const;
 
-  /** Refuses anything but a list. @param allowed what to say is allowed. */
-  void requireList(const std::string& allowed) const;
+  /** Refuses anything but a list of `least` to `most` entries. */
+  void requireList(const std::string& expected, std::size_t least = 0,
+                   std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
-  /** The node's value as a message shows it: a scalar's text (shortened), "a list of 2", "a map", "null". */
+  /**
+   * Returns the node's value as messages show it: a scalar's text (shortened, and in quotes unless it begins like a
+   * number), "a list of 2", "an empty list", "a map", "null".
+   */
   std::string found() const;
 
-  /** `source:line: path: text`; the line is left out where the tree has none, the path at the top. */
+  /** Returns `source:line: path: text`; the line is left out where the tree has none, the path at the top. */
   std::string message(const std::string& text) const;
 
-  /** Throws Error with message("problem; allowed: allowed"). */
-  [[noreturn]] void refuse(const std::string& problem, const std::string& allowed) const;
+  /** Throws Error with message("expected X, got Y: why"). */
+  [[noreturn]] void refuse(const std::string& expected, const std::string& got, const std::string& why = "") const;
 
  private:
   YAML::Node node_;

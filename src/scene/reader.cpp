@@ -10,6 +10,7 @@
 #include "document.h"
 #include "fields.h"
 #include "number.h"
+#include "poinsot/scene/message.h"
 #include "text_file.h"
 
 namespace poinsot::scene {
@@ -18,19 +19,19 @@ namespace {
 const char* const kWorldFrame = "world";
 constexpr double kFarthestSeen = 1e5;  // m: floats lie 8 mm apart there
 
-/** Who has which frame, by the place of its name. */
+/** Which body has which frame. */
 class Frames {
  public:
-  /** Takes the frames of a body; refuses a body of which another, or the world, has one already. */
+  /** Adds the frames of a body; refuses the body if another, or the world, has one of them already. */
   void claim(const std::string& body, const Place& name) {
     for (const char* suffix : {"", "_space", "_model", "_space_body"}) {
       const std::string frame = body + suffix;
       const auto [taken, is_new] = owners_.emplace(frame, body);
       if (is_new) continue;
-      if (taken->second == body) name.refuse("a second body is called " + body, "a name that no other body has");
+      if (taken->second == body) name.refuse("a name that no other body has", name.found() + " a second time");
       const std::string owner = frame == kWorldFrame ? "the fixed frame" : "a frame of the body " + taken->second;
-      name.refuse("the frame " + frame + " of the body " + body + " is also " + owner,
-                  "a name that keeps <name>, <name>_space, <name>_model and <name>_space_body apart from other frames");
+      name.refuse("a name that keeps <name>, <name>_space, <name>_model and <name>_space_body apart from other frames",
+                  name.found(), "the frame " + frame + " of the body " + body + " is also " + owner);
     }
   }
 
@@ -38,7 +39,7 @@ class Frames {
   std::map<std::string, std::string> owners_ = {{kWorldFrame, ""}};  // frame → body
 };
 
-/** Not wrong, but seldom meant: they are drawn into each other. */
+/** Warns of bodies that start in one place and are drawn into each other, which is seldom meant. */
 void warnOfBodiesInOnePlace(const Place& bodies, Scene& scene) {
   const auto placeOf = [](const Body& body) -> std::array<double, 3> {
     if (!body.translation) return {0, 0, 0};
@@ -57,7 +58,7 @@ void warnOfBodiesInOnePlace(const Place& bodies, Scene& scene) {
   }
 }
 
-/** Viewers compute in floats, which lie too far apart there to draw a body of some metres. */
+/** Warns of bodies so far away that the floats of viewers lie too far apart to draw a body of some metres. */
 void warnOfFarBodies(const Place& bodies, Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
@@ -74,16 +75,15 @@ void warnOfFarBodies(const Place& bodies, Scene& scene) {
 }
 
 Scene readScene(const Place& top, const ReadOptions& options) {
-  const Fields fields(top, "a map with the keys rate, bodies");
+  const Fields fields(top, kExpectedScene);
   fields.allowOnly({"rate", "bodies"});
 
   Scene scene;
   if (const auto rate = fields.find("rate")) scene.rate = readNumber(*rate, quantity::kRate);
 
-  const char* const allowed = "a list of at least one body";
-  const Place bodies = fields.require("bodies", allowed);
-  bodies.requireList(allowed);
-  if (bodies.node().size() == 0) bodies.refuse("an empty list has no bodies", allowed);
+  const char* const expected = "a list of at least one body";
+  const Place bodies = fields.require("bodies", expected);
+  bodies.requireList(expected, 1);
   Frames frames;
   for (std::size_t i = 0; i < bodies.node().size(); ++i) {
     const Place place = bodies.item(i);
@@ -107,7 +107,7 @@ Scene readFile(const std::string& path, const ReadOptions& options) {
 }
 
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options) {
-  if (!tree.IsDefined()) throw Error(source + ": nothing is there; allowed: a map with the keys rate, bodies");
+  if (!tree.IsDefined()) throw Error(source + ": " + expectedGot(kExpectedScene, "nothing"));
   return readScene(Place(tree, source), options);
 }
 

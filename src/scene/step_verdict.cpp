@@ -9,7 +9,7 @@
 namespace poinsot::scene {
 namespace {
 
-/** To two digits, never upwards. */
+/** Returns x > 0 rounded to two digits, never upwards. */
 double roundedDown(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return unit > 0 ? std::floor(x / unit) * unit : x;

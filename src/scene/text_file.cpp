@@ -7,26 +7,27 @@
 #include <cerrno>
 #include <cstring>
 
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
 
 namespace poinsot::scene {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& found) {
-  throw Error(path + ": " + found + "; expected a regular file of at most " + std::to_string(kLargestTextFile) +
-              " bytes");
+  throw Error(path + ": " +
+              expectedGot("a regular file of at most " + std::to_string(kLargestTextFile) + " bytes", found));
 }
 
 [[noreturn]] void refuseUnreadable(const std::string& path, int error) {
-  refuse(path, std::string("cannot be read, ") + std::strerror(error));
+  refuse(path, std::string("one that cannot be read: ") + std::strerror(error));
 }
 
 std::string kindOf(mode_t mode) {
-  if (S_ISDIR(mode)) return "is a directory";
-  if (S_ISFIFO(mode)) return "is a FIFO (named pipe)";
-  if (S_ISCHR(mode)) return "is a character device";
-  if (S_ISBLK(mode)) return "is a block device";
-  return "is not a regular file";
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a FIFO (named pipe)";
+  if (S_ISCHR(mode)) return "a character device";
+  if (S_ISBLK(mode)) return "a block device";
+  return "another kind of file";
 }
 
 class Descriptor {
@@ -50,12 +51,12 @@ class Descriptor {
 
 std::string readTextFile(const std::string& path) {
   const Descriptor file(path);
-  // What was opened is asked, not the path, which may lead elsewhere by now.
+  // Asks about the file that was opened; the path may lead elsewhere by now.
   struct stat status;
   if (fstat(file.value(), &status) != 0) refuseUnreadable(path, errno);
   if (!S_ISREG(status.st_mode)) refuse(path, kindOf(status.st_mode));
   if (status.st_size > static_cast<off_t>(kLargestTextFile)) {
-    refuse(path, "has " + std::to_string(status.st_size) + " bytes");
+    refuse(path, std::to_string(status.st_size) + " bytes");
   }
   std::string text;
   char buffer[65536];
@@ -65,8 +66,8 @@ std::string readTextFile(const std::string& path) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuseUnreadable(path, errno);
     text.append(buffer, static_cast<std::size_t>(count));
-    // It has grown since it was asked, or is one of those of /proc, which all say 0.
-    if (text.size() > kLargestTextFile) refuse(path, "has more than " + std::to_string(kLargestTextFile) + " bytes");
+    // It has grown since fstat, or is a file of /proc, which all claim to have 0 bytes.
+    if (text.size() > kLargestTextFile) refuse(path, "more bytes");
   }
 }
 

@@ -7,18 +7,17 @@
 
 namespace poinsot::scene {
 
-/** "a, b, c". */
-std::string joined(const std::vector<std::string>& words);
+bool contains(const std::vector<std::string>& words, const std::string& word);
 
-/** `, did you mean "step"?` where one of the candidates is at most two edits away, else nothing. */
-std::string didYouMean(const std::string& word, const std::vector<std::string>& candidates);
-
-/** One word out of a fixed set, such as a type. */
+/** Returns a word out of a fixed set, such as a type; refuses any other. */
 std::string readChoice(const Place& place, const std::vector<std::string>& known);
 
+/** What a body's name consists of. */
+constexpr const char* kExpectedName = "a letter, then letters, digits and underscores";
+
 /**
- * A body's name: a letter, then letters, digits and underscores. Words that YAML 1.1 takes as boolean or null are
- * refused, quoted or not: a parameter tree does not tell `yes` from `true`, nor a quoted `true` from a plain one.
+ * Returns a body's name. Words that YAML 1.1 takes as boolean or null are refused, quoted or not: a parameter tree does
+ * not tell `yes` from `true`, nor a quoted `true` from a plain one.
  */
 std::string readName(const Place& place);
 

@@ -3,10 +3,14 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "command_line.h"
 #include "poinsot/audit/audit.h"
 #include "standard_output.h"
 
@@ -14,7 +18,7 @@ namespace {
 
 using poinsot::audit::Audit;
 
-/** Topics are known by their type, so that renamed ones count; tf alone by its name, as everywhere in ROS. */
+/** Reads the bag. Topics are recognised by their type, so that they may be renamed; tf alone by its name. */
 void read(const std::string& file, Audit& audit) {
   rosbag::Bag bag(file, rosbag::bagmode::Read);
   for (const rosbag::MessageInstance& m : rosbag::View(bag)) {
@@ -40,28 +44,39 @@ bool beginsAsBag(const std::string& file) {
   return in.read(&begin[0], static_cast<std::streamsize>(begin.size())) && begin == magic;
 }
 
+/** Throws std::runtime_error, with the name of the file, where it cannot be read. */
+void readOrExplain(const std::string& file, Audit& audit) {
+  try {
+    read(file, audit);
+  } catch (const std::exception& error) {
+    const bool was_cut_off = dynamic_cast<const rosbag::BagException*>(&error) && beginsAsBag(file);
+    throw std::runtime_error(
+        file + ": " + error.what() +
+        (was_cut_off ? "; a recording that was cut off can be read after: rosbag reindex '" + file + "'" : ""));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  namespace tools = poinsot::tools;
+  CLI::App app(
       "Audits a recorded bag of Poinsot from its messages alone: a line per check with its worst figure.\n"
-      "Exit 0: all checks passed; 1: one failed; 2: bad use, unreadable bag, or nothing of Poinsot in it."};
+      "Exit 0: all checks passed; 1: one failed; 2: bad use, unreadable bag, or nothing of Poinsot in it.",
+      "check_bag");
   std::string file;
   poinsot::audit::Options options;
   std::vector<std::string> without;
+  std::optional<double> drift = options.drift;
   app.add_option("bag", file, "the bag file")->required();
   app.add_option("--without", without, "what the recording is not meant to carry: markers, odometry or tf")
-      ->check(CLI::IsMember({"markers", "odometry", "tf"}))
+      ->check(tools::oneOf({"markers", "odometry", "tf"}))
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--drift", options.drift, "relative drift of E and L that is too much whatever the method allows")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  tools::addPositive(app, "--drift", drift, "",
+                     "relative drift of E and L that is too much whatever the method allows");
+  if (const auto code = tools::parse(app, argc, argv)) return *code;
+  options.drift = *drift;
   for (const std::string& what : without) {
     if (what == "markers") options.markers = false;
     if (what == "odometry") options.odometry = false;
@@ -69,29 +84,16 @@ int main(int argc, char** argv) {
   }
 
   Audit audit(options);
-  try {
-    read(file, audit);
-  } catch (const rosbag::BagException& error) {
-    std::cerr << "check_bag: " << file << ": " << error.what() << "\n";
-    if (beginsAsBag(file)) {
-      std::cerr << "A recording that was cut off can be read after: rosbag reindex '" << file << "'\n";
+  std::optional<poinsot::audit::Report> report;
+  const int code = tools::exitCodeOf("check_bag", tools::kBadUse, tools::kBadUse, [&] {
+    readOrExplain(file, audit);
+    if (audit.empty()) {
+      throw std::runtime_error(file +
+                               ": expected messages of type poinsot/BodyState or poinsot/BodyDescription, got none");
     }
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "check_bag: " << file << ": " << error.what() << "\n";
-    return 2;
-  }
-  if (audit.empty()) {
-    std::cerr << "check_bag: " << file << ": no message of type poinsot/BodyState or poinsot/BodyDescription in it\n";
-    return 2;
-  }
-  const poinsot::audit::Report report = audit.report();
-  std::cout << report;
-  try {
-    poinsot::tools::flushStandardOutput();
-  } catch (const std::runtime_error& error) {
-    std::cerr << "check_bag: " << error.what() << "\n";
-    return 2;
-  }
-  return report.passed() ? 0 : 1;
+    report = audit.report();
+    std::cout << *report;
+    tools::flushStandardOutput();
+  });
+  return code != 0 || report->passed() ? code : 1;
 }

@@ -1,16 +1,17 @@
 #include <yaml-cpp/yaml.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "poinsot/core/method.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
 #include "standard_output.h"
@@ -19,7 +20,7 @@ namespace {
 
 using namespace poinsot;
 
-constexpr int kNo = 1, kBadUse = 2;
+constexpr int kNo = 1;
 constexpr double kGoodAccuracy = 1e-3, kGoodHorizon = 120;  // rad, s: what makes a stepper good
 constexpr double kLeastForSteps = 1.1;  // a budget leaves for steps at least a tenth of what the states cost
 // Places of the bodies in a 2×2 arrangement, for a viewer at +x [m].
@@ -32,10 +33,10 @@ const char* const kAbout =
 
 struct Options {
   std::string scene_file, body, mode = "equal_cost";
-  double step = 0.02;  ///< [s], of equal_step
+  std::optional<double> step = 0.02;  ///< [s], of equal_step
 };
 
-/** The body's part of a scene, without what moves it and without its place. */
+/** Returns the keys of a body without name, method and effects. */
 YAML::Node bare(const YAML::Node& body) {
   YAML::Node out = YAML::Clone(body);
   for (const char* key : {"name", "method", "step", "accuracy", "horizon", "effects"}) out.remove(key);
@@ -44,15 +45,14 @@ YAML::Node bare(const YAML::Node& body) {
 
 std::size_t indexOf(const scene::Scene& scene, const std::string& name) {
   if (name.empty()) return 0;
-  std::string names;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (scene.bodies[i].name == name) return i;
-    names += (names.empty() ? "" : ", ") + scene.bodies[i].name;
-  }
-  throw std::invalid_argument("--body: the scene has no body \"" + name + "\"; it has " + names);
+  std::vector<std::string> names;
+  for (const scene::Body& body : scene.bodies) names.push_back(body.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw tools::BadUse("--body", "one of " + scene::joined(names), '"' + name + '"');
+  return static_cast<std::size_t>(found - names.begin());
 }
 
-/** The stepper that is cheapest for a good accuracy. */
+/** Returns the cheapest stepper for a good accuracy. */
 cost::Choice goodStepper(const MotionSetup& setup, double rate, const cost::MethodCosts& costs) {
   std::vector<std::string> candidates;
   for (const Method& method : freeMethods()) {
@@ -72,12 +72,12 @@ void print(const Options& options) {
   const cost::Choice good = goodStepper(scene::motionSetup(body), rate, costs);
   const std::vector<std::string> steppers = {"lie_euler", "buss2", good.method};
 
-  // What all steppers may cost: what the good one does, and enough that each has something left for its steps.
+  // All steppers may cost as much as the good one, or more if one of them would have too little left for its steps.
   double budget = good.cost;
   for (const std::string& name : steppers) budget = std::max(budget, kLeastForSteps * rate * costs.of(name).per_state);
   const auto stepOf = [&](const std::string& name) {
     const cost::MethodCost& cost = costs.of(name);
-    return options.mode == "equal_step" ? options.step : cost.per_step / (budget - rate * cost.per_state);
+    return options.mode == "equal_step" ? *options.step : cost.per_step / (budget - rate * cost.per_state);
   };
 
   YAML::Emitter out;
@@ -89,7 +89,7 @@ void print(const Options& options) {
   };
   out << YAML::Comment(
       options.mode == "equal_step"
-          ? comment("Made by compare_scene: every step is %g s, at %g states a second.", options.step, rate)
+          ? comment("Made by compare_scene: every step is %g s, at %g states a second.", *options.step, rate)
           : comment("Made by compare_scene: every stepper costs a nominal %.3g us of CPU per simulated second, "
                     "at %g states a second.",
                     1e6 * budget, rate));
@@ -115,7 +115,7 @@ void print(const Options& options) {
   }
   out << YAML::EndSeq << YAML::EndMap;
   const std::string text = std::string(out.c_str()) + "\n";
-  scene::readTree(YAML::Load(text), "the scene to compare");  // a step that the node would refuse is refused here
+  scene::readTree(YAML::Load(text), "the scene to compare");  // refuses a step that the node would refuse
   std::cout << text;
   tools::flushStandardOutput();
 }
@@ -127,25 +127,10 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("scene", options.scene_file, "A scene file that holds the body")->required();
   app.add_option("--body", options.body, "Which of its bodies (default: the first)");
-  app.add_option("--mode", options.mode, "equal_cost or equal_step")
-      ->check(CLI::IsMember({"equal_cost", "equal_step"}))
+  app.add_option("--mode", options.mode, "What all steppers have in common")
+      ->check(tools::oneOf({"equal_cost", "equal_step"}))
       ->capture_default_str();
-  app.add_option("--step", options.step, "With equal_step: every step [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadUse;
-  }
-  try {
-    print(options);
-  } catch (const cost::Unreachable& error) {
-    std::cerr << "compare_scene: " << error.what() << "\n";
-    return kNo;
-  } catch (const std::exception& error) {
-    std::cerr << "compare_scene: " << error.what() << "\n";
-    return kBadUse;
-  }
-  return 0;
+  tools::addPositive(app, "--step", options.step, "s", "With equal_step: every step [s]");
+  if (const auto code = tools::parse(app, argc, argv)) return *code;
+  return tools::exitCodeOf<cost::Unreachable>("compare_scene", kNo, tools::kBadUse, [&] { print(options); });
 }

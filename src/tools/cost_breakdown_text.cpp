@@ -19,7 +19,7 @@ const char* const kTotal = "total";
   return text;
 }
 
-/** Nanoseconds of what was measured; a plain 0 for what is not there. */
+/** Returns a measured time in nanoseconds, or a plain 0 for a part that is not there. */
 std::string measured(double seconds, bool there) {
   return there ? formatted("%.2f", kNano * seconds + 0.0) : "0";
 }

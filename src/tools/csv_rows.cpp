@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& line, char separator) {
   }
 }
 
-/** What separates the names of a header: blanks may stand around commas and semicolons, so a tab comes last. */
+/** Returns the separator of a header; tabs come last, because they may also stand as blanks around the others. */
 char separatorOf(const std::string& header) {
   for (const char separator : {',', ';', '\t'}) {
     if (header.find(separator) != std::string::npos) return separator;
@@ -34,7 +34,7 @@ char separatorOf(const std::string& header) {
   return ',';
 }
 
-/** Hands out the lines that are neither comments nor blank. */
+/** The lines of a table without comments and blank lines. */
 class Lines {
  public:
   explicit Lines(std::istream& in) : in_(in) {}
@@ -47,8 +47,7 @@ class Lines {
       if (!line.empty() && line.back() == '\r') line.pop_back();
       const std::size_t first = line.find_first_not_of(kBlanks);
       if (first == std::string::npos || line[first] == '#') continue;
-      if (line.find('"') != std::string::npos)
-        throw CsvError(number_, "quotes are not understood; write cells without");
+      if (line.find('"') != std::string::npos) throw CsvError(number_, "expected cells without quotes, got a quote");
       return true;
     }
     return false;
@@ -68,7 +67,7 @@ class Lines {
   long number_ = 0;
 };
 
-/** Where each wanted column stands in the header. */
+/** Returns the place of each column in the header. */
 std::vector<std::size_t> places(long line, const std::vector<std::string>& header,
                                 const std::vector<std::string>& columns) {
   std::vector<std::size_t> out;
@@ -78,11 +77,11 @@ std::vector<std::size_t> places(long line, const std::vector<std::string>& heade
     if (found == header.end()) {
       missing += (missing.empty() ? "" : ", ") + column;
     } else if (std::find(found + 1, header.end(), column) != header.end()) {
-      throw CsvError(line, "the header has column " + column + " twice");
+      throw CsvError(line, "expected every column once, got " + column + " twice");
     }
     out.push_back(found - header.begin());
   }
-  if (!missing.empty()) throw CsvError(line, "the header lacks " + missing);
+  if (!missing.empty()) throw CsvError(line, "expected a header with all columns, got one that lacks " + missing);
   return out;
 }
 
@@ -91,7 +90,7 @@ std::vector<std::size_t> places(long line, const std::vector<std::string>& heade
 std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>& columns) {
   Lines lines(in);
   std::string line;
-  if (!lines.next(line)) throw CsvError(lines.number() + 1, "there is no header");
+  if (!lines.next(line)) throw CsvError(lines.number() + 1, "expected a header, got the end of the input");
   const char separator = separatorOf(line);
   std::vector<std::string> header = split(line, separator);
   for (std::string& name : header) name = trimmed(name);
@@ -101,12 +100,12 @@ std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>
   while (lines.next(line)) {
     const std::vector<std::string> cells = split(line, separator);
     if (cells.size() != header.size()) {
-      throw CsvError(lines.number(), "the row has " + std::to_string(cells.size()) + " cells, the header has " +
-                                         std::to_string(header.size()));
+      throw CsvError(lines.number(), "expected " + std::to_string(header.size()) + " cells as in the header, got " +
+                                         std::to_string(cells.size()));
     }
     CsvRow row{lines.number(), {}};
     for (const std::size_t place : wanted) {
-      // It would divide the cell in what is written, and of a number it would be no point.
+      // A comma would divide the cell in the output; in a number, it might be meant as a decimal point.
       if (cells[place].find(',') != std::string::npos) {
         throw CsvError(lines.number(),
                        header[place] + ": expected a decimal point and no comma, got \"" + cells[place] + "\"");
@@ -118,17 +117,15 @@ std::vector<CsvRow> readCsvRows(std::istream& in, const std::vector<std::string>
   return rows;
 }
 
-double parseNumber(const std::string& text) {
+std::optional<double> parseNumber(const std::string& text) {
   const std::string number = trimmed(text);
-  if (number.empty()) throw std::invalid_argument("is empty");
   // strtod rounds correctly and reads hexadecimal; no program here calls setlocale(), so its point is '.'. It would
   // skip leading white space of other kinds, and stop at a NUL.
   char* end = nullptr;
   const double value = std::strtod(number.c_str(), &end);
-  const bool whole = end == number.c_str() + number.size() && !std::isspace(static_cast<unsigned char>(number[0]));
-  if (!whole) throw std::invalid_argument("is \"" + number + "\", not a number");
-  if (!std::isfinite(value)) throw std::invalid_argument("is " + number + ", not a finite number");
-  return value;
+  const bool whole =
+      !number.empty() && end == number.c_str() + number.size() && !std::isspace(static_cast<unsigned char>(number[0]));
+  return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
 }  // namespace poinsot::tools

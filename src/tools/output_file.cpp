@@ -18,17 +18,17 @@ namespace fs = std::filesystem;
 constexpr int kMostFiles = 4;
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-/** Temporary files that exist, for a signal's handler, which can use nothing but plain memory. Empty: none. */
+/** Paths of existing temporary files; empty slots are free. Plain memory, because a signal handler reads it. */
 char temporaries[kMostFiles][PATH_MAX];
 
 extern "C" void removeAndEnd(int signal) {
   for (const char* path : temporaries) {
     if (path[0]) unlink(path);
   }
-  raise(signal);  // the handler has been reset: the process ends as the signal wants
+  raise(signal);  // the handler has been reset, so that the signal ends the process
 }
 
-/** No signal ends the process in between. */
+/** Blocks the signals that would end the process, as long as it lives. */
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -63,7 +63,7 @@ void forget(const std::string& path) {
   throw OutputError(path, std::strerror(errno));
 }
 
-/** The file itself, behind symbolic links; the path as it is where nothing is there yet. */
+/** Returns the path of the file behind symbolic links, or the path itself where there is no file yet. */
 std::string followed(const std::string& path) {
   std::error_code none;
   const fs::path real = fs::canonical(path, none);
@@ -77,7 +77,7 @@ OutputFile::OutputFile(const std::string& path, Kind kind) : path_(path), target
   if (stat(target_.c_str(), &existing) == 0) {
     if (S_ISDIR(existing.st_mode)) throw OutputError(path_, std::strerror(EISDIR));
     if (!S_ISREG(existing.st_mode)) {
-      if (kind == Kind::regular_only) throw OutputError(path_, "it exists and is no regular file");
+      if (kind == Kind::regular_only) throw OutputError(path_, "expected a regular file, got another kind of file");
       descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
       if (descriptor_ < 0) refuse(path_);
       return;
@@ -125,7 +125,7 @@ void OutputFile::rename() {
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) refuse(path_);
   forget(temporary_);
   temporary_.clear();
-  // The name is on the disk when its directory is. Some file systems cannot be asked for that.
+  // The name is on the disk once its directory is. Some file systems do not offer that.
   const std::string directory = fs::path(target_).parent_path().string();
   const int descriptor = open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -145,7 +145,7 @@ void OutputFile::catchSignals() {
   ending.sa_flags = SA_RESETHAND;
   sigemptyset(&ending.sa_mask);
   for (const int signal : kEndingSignals) {
-    // Who started this may have wanted it not to end, as nohup does.
+    // A signal that is ignored from the start, as under nohup, stays ignored.
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
     sigaction(signal, &ending, nullptr);
   }

@@ -6,7 +6,7 @@
 
 namespace poinsot::tools {
 
-/** Output that cannot be written; what() names the file and the reason. */
+/** A failure to write output; what() names the file and the reason. */
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& file, const std::string& reason)
@@ -14,11 +14,11 @@ class OutputError : public std::runtime_error {
 };
 
 /**
- * A file that comes whole or not at all. It is written under a temporary name beside its own, .NAME.PID.tmp; commit()
- * brings it to the disk and gives it its name. Without commit() it is removed with its object, and also when SIGINT,
- * SIGTERM or SIGHUP end the process (after catchSignals()). What stood under the name before stays until then.
+ * A file that is written whole or not at all. It has a temporary name beside its own, .NAME.PID.tmp, until commit()
+ * brings it to the disk and gives it its name; an earlier file of that name stays until then. Without commit() the
+ * destructor removes it, and so do SIGINT, SIGTERM and SIGHUP when they end the process (after catchSignals()).
  *
- * What is no regular file (a terminal, a pipe, /dev/full) is written to directly, where that is allowed.
+ * Anything but a regular file (a terminal, a pipe, /dev/full) is written to directly, where that is allowed.
  */
 class OutputFile {
  public:
@@ -30,16 +30,16 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /** As it was given. */
+  /** Returns the path as it was given. */
   const std::string& path() const { return path_; }
-  /** Where to write. */
+  /** Returns the path to write to. */
   const std::string& writePath() const { return temporary_.empty() ? target_ : temporary_; }
   int descriptor() const { return descriptor_; }
 
   /** Gives all of them their names, once all are on the disk. Throws OutputError. */
   static void commit(const std::vector<OutputFile*>& files);
 
-  /** From now on signals that end the process remove temporary files; a closed pipe or a limit is a write error. */
+  /** Makes signals that end the process remove temporary files, and a closed pipe or a size limit a write error. */
   static void catchSignals();
 
  private:
@@ -56,10 +56,10 @@ class TextSink {
  public:
   TextSink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
 
-  /** What is appended here is written when it is enough; see pour(). */
+  /** Returns the buffer to append to; pour() and flush() write it. */
   std::string& text() { return text_; }
 
-  /** Writes when much has gathered. Throws OutputError. */
+  /** Writes the buffer once it is large. Throws OutputError. */
   void pour() {
     if (text_.size() >= kMuch) flush();
   }

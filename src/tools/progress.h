@@ -5,7 +5,7 @@
 
 namespace poinsot::tools {
 
-/** A bar on stderr, where that is a terminal; nothing anywhere else. */
+/** A progress bar on stderr; none where that is not a terminal. */
 class Progress {
  public:
   explicit Progress(std::int64_t total);

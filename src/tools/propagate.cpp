@@ -1,5 +1,4 @@
 /** CSV of initial states and times on stdin → CSV of states on stdout, by any method. */
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -7,7 +6,11 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "command_line.h"
 #include "csv_rows.h"
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
@@ -19,12 +22,13 @@
 
 namespace {
 
+using poinsot::tools::BadUse;
 using poinsot::tools::CsvError;
 using poinsot::tools::CsvRow;
 using poinsot::tools::parseNumber;
 
-constexpr int kNo = 1, kBadInput = 2;  // exit codes
-constexpr double kMostSteps = 1e12;    // of one row: hours
+constexpr int kNo = 1;               // exit code
+constexpr double kMostSteps = 1e12;  // of one row: hours
 const std::vector<std::string> kColumns = {"id",  "mu1", "mu2", "mu3", "q0w", "q0x",
                                            "q0y", "q0z", "O01", "O02", "O03", "t"};
 
@@ -43,13 +47,13 @@ const char kAbout[] =
     "needs\n"
     "--step S and takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused. Where it does not "
     "follow\n"
-    "a row's body at that step, stderr says so, and the row comes all the same. Where the rows end further than 0.1 "
-    "rad\n"
-    "from the closed form, or their energy changes by more than a tenth, stderr is told the worst of them.\n"
+    "a row's body at that step, a line on stderr warns of it, and the row is written nevertheless. Where rows end "
+    "further\n"
+    "than 0.1 rad from the closed form, or their energy changes by more than a tenth, a line gives the worst of them.\n"
     "Exit status: 0; 1 when a state cannot be computed or written; 2 for bad use or input. Output comes whole or not "
     "at all.";
 
-/** A row that is fine as input but has no finite answer. */
+/** A result that cannot be computed or written, although the input is right. */
 struct NoResult : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -58,14 +62,13 @@ struct Task {
   long line;
   std::string id;
   Eigen::Vector3d moments;
-  Eigen::Quaterniond given;     ///< the attitude as it stands there, of any length but zero
+  Eigen::Quaterniond given;     ///< the attitude as the input gives it, of any length but zero
   Eigen::Quaterniond attitude;  ///< unit
   Eigen::Vector3d omega;
   double t;
 };
 
-/** The unit quaternion nearest to the one given; in long double, so that the result is correctly rounded but for 1 in
- * 1000. */
+/** Returns the unit quaternion of a quaternion. Long doubles round all but about 1 in 1000 results correctly. */
 Eigen::Quaterniond normalised(double w, double x, double y, double z) {
   const long double lw = w, lx = x, ly = y, lz = z;
   const long double norm = std::sqrt(lw * lw + lx * lx + ly * ly + lz * lz);
@@ -76,18 +79,20 @@ Eigen::Quaterniond normalised(double w, double x, double y, double z) {
 Task readTask(const CsvRow& row) {
   double v[11];
   for (int i = 0; i < 11; ++i) {
-    try {
-      v[i] = parseNumber(row.cells[i + 1]);
-    } catch (const std::invalid_argument& error) {
-      throw CsvError(row.line, kColumns[i + 1] + " " + error.what());
-    }
+    const std::string& cell = row.cells[i + 1];
+    const std::optional<double> number = parseNumber(cell);
+    if (!number) throw CsvError(row.line, kColumns[i + 1] + ": expected a finite number, got \"" + cell + '"');
+    v[i] = *number;
   }
   try {
     poinsot::PrincipalInertia::fromMoments({v[0], v[1], v[2]});
   } catch (const std::invalid_argument& error) {
     throw CsvError(row.line, error.what());
   }
-  if (v[3] == 0 && v[4] == 0 && v[5] == 0 && v[6] == 0) throw CsvError(row.line, "the quaternion is zero");
+  if (v[3] == 0 && v[4] == 0 && v[5] == 0 && v[6] == 0) {
+    throw CsvError(row.line, "q0w, q0x, q0y, q0z: expected a quaternion other than zero, got zeros");
+  }
+
   return {row.line,
           row.cells[0],
           {v[0], v[1], v[2]},
@@ -97,17 +102,17 @@ Task readTask(const CsvRow& row) {
           v[10]};
 }
 
-/** n = ⌈|t|/S⌉ */
+/** Returns n = ⌈|t|/step⌉. */
 double stepsFor(const Task& task, double step) {
   const double n = std::ceil(std::abs(task.t) / step);
-  if (!(n <= kMostSteps)) throw CsvError(task.line, "t would take more than 1e12 steps");
+  if (!(n <= kMostSteps)) throw CsvError(task.line, "t: expected at most 1e12 steps, got more");
   return n;
 }
 
-/** How to get from a start to a time. */
+/** How rows are propagated. */
 struct Way {
   const poinsot::Method* method;  ///< nullptr: the closed form
-  double step;                    ///< longest, of a stepper [s]
+  double step;                    ///< longest step of a stepper [s]
 };
 
 void step(Task& task, const Way& way) {
@@ -137,7 +142,7 @@ void propagate(Task& task, const Way& way) {
   }
 }
 
-/** What stderr is told of a row whose steps are too long for its body; empty when they are not. */
+/** Returns a warning for a row whose steps are too long for its body; empty when they are not. */
 std::string warning(const Task& task, const Way& way) {
   if (!way.method || task.t == 0) return "";
   const double step = task.t / stepsFor(task, way.step);
@@ -171,32 +176,20 @@ void print(const Task& task, std::string& out) {
   out += task.id + numbers;
 }
 
-double readStep(const std::string& text) {
-  double step = 0;
-  try {
-    step = parseNumber(text);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string("--step ") + error.what());
-  }
-  if (!(step > 0)) throw std::invalid_argument("--step is " + text + "; it must be positive (seconds)");
-  return step;
+std::vector<std::string> allMethodNames() {
+  std::vector<std::string> names = {poinsot::kClosedForm};
+  for (const poinsot::Method& method : poinsot::freeMethods()) names.push_back(method.name);
+  return names;
 }
 
-std::string allMethodNames() {
-  return poinsot::kClosedForm + (", " + poinsot::methodNames(poinsot::freeMethods()));
-}
-
-Way readWay(const std::string& method_name, const std::optional<std::string>& step) {
+Way readWay(const std::string& method_name, const std::optional<double>& step) {
   if (method_name == poinsot::kClosedForm) {
-    if (step)
-      throw std::invalid_argument("--step is for steppers (" + poinsot::methodNames(poinsot::freeMethods()) +
-                                  "); closed_form takes none");
-    return {nullptr, std::numeric_limits<double>::infinity()};
+    if (!step) return {nullptr, std::numeric_limits<double>::infinity()};
+    throw BadUse("--step", "a stepper beside it (" + poinsot::methodNames(poinsot::freeMethods()) + ")",
+                 "closed_form, which takes no step");
   }
-  const poinsot::Method* method = poinsot::findMethod(method_name, poinsot::freeMethods());
-  if (!method) throw std::invalid_argument("there is no method \"" + method_name + "\"; there is " + allMethodNames());
-  if (!step) throw std::invalid_argument("method " + method_name + " needs --step");
-  return {method, readStep(*step)};
+  if (!step) throw BadUse("--step", "a positive finite number (s) for " + method_name, "none");
+  return {poinsot::findMethod(method_name, poinsot::freeMethods()), *step};
 }
 
 struct Output {
@@ -225,9 +218,12 @@ Output run(const Way& way) {
   return out;
 }
 
-int fail(int code, const std::string& reason) {
-  std::fprintf(stderr, "propagate: %s\n", reason.c_str());
-  return code;
+void write(const Output& out) {
+  std::fputs(out.warnings.c_str(), stderr);
+  const std::string& table = out.table;
+  if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size() || std::fflush(stdout) != 0) {
+    throw NoResult(std::string("cannot write the output: ") + std::strerror(errno));
+  }
 }
 
 }  // namespace
@@ -235,27 +231,12 @@ int fail(int code, const std::string& reason) {
 int main(int argc, char** argv) {
   CLI::App app(kAbout, "propagate");
   std::string method = poinsot::kClosedForm;
-  std::optional<std::string> step;
-  app.add_option("--method", method, "One of " + allMethodNames())->capture_default_str();
-  app.add_option("--step", step, "Longest step of a stepper [s], positive");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadInput;
-  }
-
-  Output out;
-  try {
-    out = run(readWay(method, step));
-  } catch (const NoResult& error) {
-    return fail(kNo, error.what());
-  } catch (const std::exception& error) {
-    return fail(kBadInput, error.what());
-  }
-  std::fputs(out.warnings.c_str(), stderr);
-  const std::string& table = out.table;
-  if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size() || std::fflush(stdout) != 0) {
-    return fail(kNo, std::string("cannot write the output: ") + std::strerror(errno));
-  }
-  return 0;
+  std::optional<double> step;
+  app.add_option("--method", method, "The method")
+      ->check(poinsot::tools::oneOf(allMethodNames()))
+      ->capture_default_str();
+  poinsot::tools::addPositive(app, "--step", step, "s", "Longest step of a stepper [s]");
+  if (const auto code = poinsot::tools::parse(app, argc, argv)) return *code;
+  return poinsot::tools::exitCodeOf<NoResult>("propagate", kNo, poinsot::tools::kBadUse,
+                                              [&] { write(run(readWay(method, step))); });
 }

@@ -7,15 +7,17 @@
 
 namespace poinsot::tools {
 
-/** 0, 1/rate, 2/rate, … and last exactly `duration`, which takes the place of a sample that only rounding parts from
- * it. */
+/**
+ * The times 0, 1/rate, 2/rate, … and last exactly `duration`, which replaces a sample that differs from it by rounding
+ * alone.
+ */
 class SampleTimes {
  public:
   /** @param duration [s] and @param rate [Hz], positive and finite. */
   SampleTimes(double duration, double rate)
       : duration_(duration), rate_(rate), intervals_(intervals(duration * rate)) {}
 
-  /** As a double: it may be more than any integer type holds. */
+  /** Returns a double, because the count may exceed any integer type. */
   double count() const { return intervals_ + 1; }
 
   /** @param k 0 ≤ k < count(). */

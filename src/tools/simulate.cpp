@@ -2,18 +2,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "csv_rows.h"
+#include "command_line.h"
 #include "output_file.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/number_text.h"
@@ -28,10 +26,11 @@
 namespace {
 
 using namespace poinsot;
+using tools::BadUse;
 using tools::OutputError;
 using tools::OutputFile;
 
-constexpr int kFailed = 1, kBadUse = 2;
+constexpr int kFailed = 1;
 constexpr double kMostRows = 1e12;   // of all bodies together: a disk of 200 TB
 constexpr double kMostSteps = 1e12;  // of one body: hours
 constexpr double kFastestBag = 1e6;  // Hz: stamps are whole nanoseconds
@@ -44,7 +43,7 @@ const char* const kAbout =
     "CSV: body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz with 17 significant digits, body after body: attitude body -> world, "
     "angular\n"
     "velocity in body axes [rad/s], position in world axes [m], at t = 0, 1/rate, 2/rate, ... and exactly the "
-    "duration. Of a free body that a stepper moves, stderr is told the worst errors of the run.\n"
+    "duration. For a free body that a stepper moves, a line on stderr gives the worst errors of the run.\n"
     "Bag: the node's messages on the node's topics, with stamps from 1 s on; replay.launch shows it, check_bag audits "
     "it.\n"
     "The same scene gives the same bytes, every time.\n\n"
@@ -52,78 +51,52 @@ const char* const kAbout =
     "Exit status: 0; 1 when a state cannot be computed or a file not be written; 2 for bad use or a bad scene.";
 
 struct Options {
-  std::string scene, csv, bag, duration, rate, columns = kPlainColumns;
+  std::string scene, csv, bag, columns = kPlainColumns;
+  std::optional<double> duration, rate;
   bool no_markers = false;
 };
 
-struct BadUse : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-double readPositive(const char* option, const std::string& text, const char* unit) {
-  double value = 0;
-  try {
-    value = tools::parseNumber(text);
-  } catch (const std::invalid_argument& error) {
-    throw BadUse(std::string(option) + " " + error.what() + "; allowed: a positive finite number (" + unit + ")");
-  }
-  if (!(value > 0)) {
-    throw BadUse(std::string(option) + " is " + text + "; allowed: a positive finite number (" + unit + ")");
-  }
-  return value;
-}
-
-tools::MoreColumns readColumns(const Options& options) {
-  try {
-    return tools::readColumns(options.columns);
-  } catch (const std::invalid_argument& error) {
-    throw BadUse(std::string("--columns: ") + error.what());
-  }
-}
-
-bool sameFile(const std::string& a, const std::string& b) {
-  namespace fs = std::filesystem;
-  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
-}
-
 void checkFiles(const Options& options) {
   if (options.csv.empty() && options.bag.empty()) {
-    throw BadUse("nothing to write: give --csv FILE, --bag FILE, or both");
+    throw BadUse("output", "--csv FILE, --bag FILE, or both", "none");
   }
-  if (options.bag == kStandardOutput) throw BadUse("--bag -: a bag needs a file; only --csv goes to standard output");
-  if (!options.csv.empty() && !options.bag.empty() && sameFile(options.csv, options.bag)) {
-    throw BadUse("--csv and --bag name the same file, " + options.bag);
+  if (options.bag == kStandardOutput) {
+    throw BadUse("--bag", "a file", "-: a bag needs a file, and only --csv goes to standard output");
   }
-  for (const std::string& out : {options.csv, options.bag}) {
-    if (!out.empty() && sameFile(out, options.scene)) throw BadUse(out + " is the scene itself and would be lost");
+  if (!options.csv.empty() && !options.bag.empty())
+    tools::refuseSameFile("--bag", options.bag, "that of --csv", options.csv);
+  if (!options.csv.empty()) tools::refuseSameFile("--csv", options.csv, "the scene", options.scene);
+  if (!options.bag.empty()) tools::refuseSameFile("--bag", options.bag, "the scene", options.scene);
+  if (options.csv.empty() && options.columns != kPlainColumns) {
+    throw BadUse("--columns", "--csv beside it", "none");
   }
 }
 
-/** Refuses what would never end. */
+/** Refuses runs that would never end, and times that a bag cannot hold. */
 void checkSize(const Options& options, const scene::Scene& scene, double duration, double rate,
                const tools::SampleTimes& times) {
   const double rows = times.count() * static_cast<double>(scene.bodies.size());
   if (!(rows <= kMostRows)) {
-    throw BadUse("--duration " + numberText(duration, 9) + " s at " + numberText(rate, 9) + " Hz gives " +
-                 numberText(rows, 9) + " states; allowed: up to " + numberText(kMostRows, 9));
+    throw BadUse("--duration", "at most " + numberText(kMostRows, 9) + " states",
+                 numberText(rows, 9) + " (" + numberText(duration, 9) + " s at " + numberText(rate, 9) + " Hz)");
   }
   if (!options.bag.empty() && duration > node::SceneBag::kLatest) {
-    throw BadUse("--duration " + numberText(duration, 9) +
-                 " s is more than stamps can hold; allowed with --bag: up to " +
-                 numberText(node::SceneBag::kLatest, 9) + " s");
+    throw BadUse("--duration", "at most " + numberText(node::SceneBag::kLatest, 9) + " s with --bag, which stamps hold",
+                 numberText(duration, 9) + " s");
   }
   if (!options.bag.empty() && rate > kFastestBag) {
-    throw BadUse("a rate of " + numberText(rate, 9) + " Hz is too fast for stamps; allowed with --bag: up to " +
-                 numberText(kFastestBag, 9) + " Hz");
+    throw BadUse("--rate", "at most " + numberText(kFastestBag, 9) + " Hz with --bag, which stamps tell apart",
+                 numberText(rate, 9) + " Hz");
   }
   for (const scene::Body& body : scene.bodies) {
     if (!body.step || duration / *body.step <= kMostSteps) continue;
-    throw BadUse("--duration " + numberText(duration, 9) + " s takes body " + body.name + " under " + body.method +
-                 " more than " + numberText(kMostSteps, 9) + " steps of " + numberText(*body.step, 9) + " s");
+    throw BadUse("--duration",
+                 "at most " + numberText(kMostSteps, 9) + " steps of body " + body.name + " under " + body.method,
+                 numberText(duration, 9) + " s in steps of " + numberText(*body.step, 9) + " s");
   }
 }
 
-/** @return a sentence on the worst errors of each free body that a stepper moves. */
+/** Returns a sentence on the worst errors of each free body that a stepper moves. */
 std::vector<std::string> writeBag(const OutputFile& file, const scene::Scene& scene, const tools::SampleTimes& times,
                                   bool markers, tools::Progress& progress) {
   std::vector<tools::WorstErrors> worst(scene.bodies.size());
@@ -153,7 +126,7 @@ std::vector<std::string> writeBag(const OutputFile& file, const scene::Scene& sc
   return out;
 }
 
-/** On stderr; of a scene of thousands not everything. */
+/** Prints the first sentences on stderr; a scene of thousands of bodies has too many of them. */
 void say(const std::vector<std::string>& sentences) {
   const std::size_t count = std::min(sentences.size(), kMostSaid);
   for (std::size_t i = 0; i < count; ++i) std::cerr << sentences[i] << "\n";
@@ -162,17 +135,11 @@ void say(const std::vector<std::string>& sentences) {
 
 void run(const Options& options) {
   checkFiles(options);
-  const double duration = readPositive("--duration", options.duration, "s");
-  std::optional<double> given_rate;
-  if (!options.rate.empty()) given_rate = readPositive("--rate", options.rate, "Hz");
-
-  const tools::MoreColumns columns = readColumns(options);
-  if (options.csv.empty() && options.columns != kPlainColumns)
-    throw BadUse("--columns goes with --csv, which is not given");
-
+  const double duration = *options.duration;
+  const tools::MoreColumns columns = tools::readColumns(options.columns);
   scene::Scene scene = scene::readFile(options.scene, {duration});
   say(scene.warnings);
-  const double rate = given_rate.value_or(scene.rate.value_or(scene::kDefaultRate));
+  const double rate = options.rate.value_or(scene.rate.value_or(scene::kDefaultRate));
   const tools::SampleTimes times(duration, rate);
   checkSize(options, scene, duration, rate, times);
   say(cost::resolveAccuracies(scene, rate));
@@ -197,7 +164,7 @@ void run(const Options& options) {
   OutputFile::commit(files);
 }
 
-/** No file of ours must come to stand where a closed stream was. */
+/** Opens /dev/null in place of closed standard streams, so that no output file takes their descriptors. */
 void fillClosedStreams() {
   int descriptor;
   do {
@@ -214,38 +181,17 @@ int main(int argc, char** argv) {
   CLI::App app(kAbout, "simulate");
   Options options;
   app.add_option("scene", options.scene, "The scene file")->required();
-  app.add_option("--csv", options.csv, "Write the states there; - is standard output");
+  app.add_option("--csv", options.csv, "Write the states there; - is standard output")->check(tools::notEmpty());
   app.add_option(
-      "--columns", options.columns,
-      "What the CSV holds: states, and energy (E,Lx,Ly,Lz) and errors (attitude_error,energy_drift) if named");
-  app.add_option("--bag", options.bag, "Write a bag there");
-  app.add_option("--duration", options.duration,
-                 "How long to simulate [s]; an accuracy in the scene holds at least so long")
+         "--columns", options.columns,
+         "What the CSV holds: states, and energy (E,Lx,Ly,Lz) and errors (attitude_error,energy_drift) if named")
+      ->check(tools::notEmpty());
+  app.add_option("--bag", options.bag, "Write a bag there")->check(tools::notEmpty());
+  tools::addPositive(app, "--duration", options.duration, "s",
+                     "How long to simulate [s]; an accuracy in the scene holds at least so long")
       ->required();
-  app.add_option("--rate", options.rate, "States a second [Hz] (default: the scene's, or else 60)");
+  tools::addPositive(app, "--rate", options.rate, "Hz", "States a second [Hz] (default: the scene's, or else 60)");
   app.add_flag("--no-markers", options.no_markers, "Leave markers out of the bag");
-  try {
-    app.parse(argc, argv);
-    for (const char* option : {"--csv", "--bag", "--columns", "--duration", "--rate"}) {
-      if (app.count(option) > 0 && app[option]->as<std::string>().empty()) {
-        throw CLI::ValidationError(option, "is empty");
-      }
-    }
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadUse;
-  }
-  const auto fail = [](int code, const std::exception& error) {
-    std::cerr << "simulate: " << error.what() << "\n";
-    return code;
-  };
-  try {
-    run(options);
-  } catch (const BadUse& error) {
-    return fail(kBadUse, error);
-  } catch (const scene::Error& error) {
-    return fail(kBadUse, error);
-  } catch (const std::exception& error) {
-    return fail(kFailed, error);
-  }
-  return 0;
+  if (const auto code = tools::parse(app, argc, argv)) return *code;
+  return tools::exitCodeOf<BadUse, scene::Error>("simulate", tools::kBadUse, kFailed, [&] { run(options); });
 }

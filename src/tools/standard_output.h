@@ -5,7 +5,7 @@
 
 namespace poinsot::tools {
 
-/** Brings what was printed to its reader. Throws std::runtime_error where it does not arrive. */
+/** Flushes standard output. Throws std::runtime_error where that fails. */
 inline void flushStandardOutput() {
   std::cout << std::flush;
   if (!std::cout) {

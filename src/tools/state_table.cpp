@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bad_use.h"
 #include "poinsot/core/number_text.h"
 #include "poinsot/scene/motion_setup.h"
 
@@ -36,7 +37,7 @@ void appendNumbers(const double (&numbers)[n], std::string& out) {
   out.append(text, at);
 }
 
-/** One body's way through the table. */
+/** The rows of one body. */
 class Run {
  public:
   explicit Run(const scene::Body& body)
@@ -103,7 +104,7 @@ MoreColumns readColumns(const std::string& text) {
     } else if (word == "errors") {
       out.errors = true;
     } else if (word != "states") {
-      throw std::invalid_argument("expected states, energy and errors, separated by commas, got \"" + word + "\"");
+      throw BadUse("--columns", "states, energy and errors, separated by commas", '"' + word + '"');
     }
   }
   return out;

@@ -10,7 +10,7 @@ namespace poinsot::tools {
 class WorstErrors {
  public:
   /**
-   * @param attitude_error against the closed form [rad]; NaN where there is none: then it does not count.
+   * @param attitude_error against the closed form [rad]; NaN where there is none, which is ignored
    * @param energy_drift relative, since the start
    */
   void add(double t, double attitude_error, double energy_drift) {
@@ -18,7 +18,7 @@ class WorstErrors {
     if (std::abs(energy_drift) > std::abs(energy_.value)) energy_ = {energy_drift, t};
   }
 
-  /** Whether the run is worth a warning: by as much as the node's diagnostics warn of. */
+  /** Returns whether the run is worth a warning, under the same limits as in the node's diagnostics. */
   bool lost() const { return attitude_.value > kLost || std::abs(energy_.value) > kLost; }
 
   /** "at most 1.7 rad from the closed form (t = 50000 s), energy drift at most 0.0012 (t = 1000 s)" */

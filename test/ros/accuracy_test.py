@@ -77,7 +77,7 @@ class AccuracyTest(unittest.TestCase):
         code, out, err = processes.run([processes.program("poinsot_node"), "--check", path])
         self.assertEqual(code, 2, out + err)
         self.assertIn("greedy.yaml:", err)
-        self.assertIn("allowed: a larger accuracy", err)
+        self.assertIn("expected a larger accuracy", err)
         self.assertIn("lie_euler", err)
 
 

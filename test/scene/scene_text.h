@@ -57,7 +57,10 @@ inline poinsot::scene::Body readBody(const std::vector<std::string>& lines) {
   return read(body(lines)).bodies.at(0);
 }
 
-/** Expects a refusal that starts with "file:line: place: " (line 0: no line) and holds every one of the pieces. */
+/**
+ * Expects a refusal "file:line: place: expected X, got Y" (line 0: no line) that holds every one of the pieces; a piece
+ * that ends in '$' must stand at its end.
+ */
 inline void expectRefused(const std::string& text, int line, const std::string& place,
                           const std::vector<std::string>& pieces) {
   const TemporaryFile file(text);
@@ -67,9 +70,11 @@ inline void expectRefused(const std::string& text, int line, const std::string& 
     const std::string what = error.what();
     const std::string head =
         file.path() + (line ? ":" + std::to_string(line) : "") + ": " + (place.empty() ? "" : place + ": ");
-    EXPECT_EQ(what.substr(0, head.size()), head) << what;
-    EXPECT_NE(what.find("; allowed: "), std::string::npos) << what;
-    for (const std::string& piece : pieces) EXPECT_NE(what.find(piece), std::string::npos) << piece << "\n" << what;
+    EXPECT_EQ(what.rfind(head + "expected ", 0), 0u) << what;
+    EXPECT_NE(what.find(", got "), std::string::npos) << what;
+    for (const std::string& piece : pieces) {
+      EXPECT_NE((what + "$").find(piece), std::string::npos) << piece << "\n" << what;
+    }
     return;
   }
   ADD_FAILURE() << "accepted:\n" << text;

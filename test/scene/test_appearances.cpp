@@ -41,11 +41,12 @@ TEST(Appearance, LiesAsTheMeshDoesUnlessTheSceneSaysOtherwise) {
 }
 
 TEST(Appearance, UnknownAndMissingKeysAreRefused) {
-  expectKeyRefused("appearance: {}", ".appearance", {"mesh is missing", "package://<package>/<path>"});
-  expectKeyRefused("appearance: package://poinsot/meshes/book.dae", ".appearance", {"is not a map", "a mesh"});
+  expectKeyRefused("appearance: {}", ".appearance", {"expected the key mesh, ", "package://<package>/<path>"});
+  expectKeyRefused("appearance: package://poinsot/meshes/book.dae", ".appearance",
+                   {"expected a mesh", "got \"package://poinsot/meshes/book.dae\"$"});
   expectKeyRefused("appearance: {" + kBook + ", sclae: 2}", ".appearance.sclae",
-                   {"did you mean \"scale\"?", "allowed: mesh, scale, position, orientation"});
-  expectKeyRefused("apearance: {" + kBook + "}", ".apearance", {"did you mean \"appearance\"?"});
+                   {" (did you mean \"scale\"?)$", "expected one of the keys mesh, scale, position, orientation"});
+  expectKeyRefused("apearance: {" + kBook + "}", ".apearance", {" (did you mean \"appearance\"?)$"});
 }
 
 TEST(Appearance, NumbersAreCheckedLikeAllOthers) {
@@ -53,24 +54,25 @@ TEST(Appearance, NumbersAreCheckedLikeAllOthers) {
     SCOPED_TRACE(scale);
     const bool list = scale[0] == '[' && std::string(scale).size() > 7;
     expectKeyRefused("appearance: {" + kBook + ", scale: " + scale + "}",
-                     std::string(".appearance.scale") + (list ? "[2]" : ""), {"allowed: "});
+                     std::string(".appearance.scale") + (list ? "[2]" : ""), {"expected "});
   }
   expectKeyRefused("appearance: {" + kBook + ", position: [0, .nan, 0]}", ".appearance.position[1]",
-                   {".nan is not finite", "(m)"});
-  expectKeyRefused("appearance: {" + kBook + ", orientation: [0, 0, 0, 0]}", ".appearance.orientation", {"allowed: "});
+                   {"got .nan$", "(m)"});
+  expectKeyRefused("appearance: {" + kBook + ", orientation: [0, 0, 0, 0]}", ".appearance.orientation", {"expected "});
 }
 
 TEST(Appearance, MeshesAreNamedByPackageOrFile) {
-  const std::string allowed = "package://<package>/<path> or file:///<path> of a COLLADA or STL mesh";
+  const std::string expected = "package://<package>/<path> or file:///<path> of a COLLADA or STL mesh";
   for (const char* mesh : {"book.dae", "/tmp/book.dae", "http://example.com/book.dae", "package://", "package:///a.dae",
                            "package://poinsot.dae", "package://a b/c.dae", "file://book.dae", "''"}) {
     expectKeyRefused(std::string("appearance: {mesh: '") + (mesh == std::string("''") ? "" : mesh) + "'}",
-                     ".appearance.mesh", {"begins with neither", allowed});
+                     ".appearance.mesh",
+                     {"got \"" + std::string(mesh == std::string("''") ? "" : mesh) + "\"$", expected});
   }
   expectKeyRefused("appearance: {mesh: package://poinsot/meshes/book.obj}", ".appearance.mesh",
-                   {"ends with neither .dae nor .stl", allowed});
-  expectKeyRefused("appearance: {mesh: [a]}", ".appearance.mesh", {"a list of 1 is no mesh", allowed});
-  expectKeyRefused("appearance: {mesh: }", ".appearance.mesh", {"null is no mesh", allowed});
+                   {"got \"package://poinsot/meshes/book.obj\"$", expected});
+  expectKeyRefused("appearance: {mesh: [a]}", ".appearance.mesh", {"got a list of 1$", expected});
+  expectKeyRefused("appearance: {mesh: }", ".appearance.mesh", {"got null$", expected});
 }
 
 TEST(Appearance, AFileMustBeThere) {

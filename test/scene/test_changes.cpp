@@ -66,12 +66,12 @@ TEST(Changes, BadMethodsAndStepsAreRefused) {
   std::vector<std::string> warnings;
   const Body body = readBody({});
   expectRefused([&] { withMethod(body, "rk5", std::nullopt, warnings); },
-                {"body \"brick\"", "rk5", "allowed: closed_form"});
+                {"body \"brick\"", "rk5", "expected one of the methods that move this body, closed_form, "});
   expectRefused([&] { withMethod(readBody(kHeavy), "closed_form", std::nullopt, warnings); },
                 {"closed_form", "taylor"});
   for (const double step : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
     expectRefused([&] { withMethod(body, "rk4", step, warnings); },
-                  {"a step of", "allowed: a positive finite number (s)"});
+                  {"expected a positive finite number (s) as step, got "});
   }
   const Body tumbling = readBody({"angular_velocity: [0.1, 1, 0.1]"});
   expectRefused([&] { withMethod(tumbling, "lie_euler", 50, warnings); },
@@ -101,10 +101,10 @@ TEST(Changes, ForbiddenSpinsAreRefused) {
         [&] {
           withSpin(body, now, {1, bad, 0});
         },
-        {"body \"brick\"", "not finite", "allowed: 3 finite numbers"});
+        {"body \"brick\"", "not finite", "expected 3 finite numbers"});
   }
-  expectRefused([&] { withSpin(body, now, {1e200, 0, 0}); }, {"allowed: 3 finite numbers"});
-  expectRefused([&] { withSpin(body, now, {1e-200, 0, 0}); }, {"allowed: 3 finite numbers"});
+  expectRefused([&] { withSpin(body, now, {1e200, 0, 0}); }, {"expected 3 finite numbers"});
+  expectRefused([&] { withSpin(body, now, {1e-200, 0, 0}); }, {"expected 3 finite numbers"});
   EXPECT_EQ(withSpin(body, now, Eigen::Vector3d::Zero()).omega_body.norm(), 0) << "rest is allowed";
   const Body stepped = readBody({"method: rk4", "step: 0.01"});
   expectRefused([&] { withSpin(stepped, now, {0, 1000, 1}); }, {"rk4 with a step of 0.01 s", "a step of at most"});

@@ -32,38 +32,41 @@ std::string messageOf(const std::string& path) {
 }  // namespace
 
 TEST(File, ThatCannotBeRead) {
-  EXPECT_EQ(messageOf("/nowhere/spin.yaml").rfind("/nowhere/spin.yaml: cannot be read, No such file", 0), 0u)
+  EXPECT_EQ(messageOf("/nowhere/spin.yaml")
+                .rfind("/nowhere/spin.yaml: expected a regular file of at most 4194304 bytes, got one that cannot be "
+                       "read: No such file",
+                       0),
+            0u)
       << messageOf("/nowhere/spin.yaml");
-  EXPECT_EQ(messageOf("/tmp").rfind("/tmp: is a directory; expected a regular file", 0), 0u) << messageOf("/tmp");
+  EXPECT_EQ(messageOf("/tmp"), "/tmp: expected a regular file of at most 4194304 bytes, got a directory");
 }
 
 TEST(File, WithoutAScene) {
-  expectRefused("", 0, "", {"the file is empty", "allowed: a map with the keys rate, bodies"});
-  expectRefused("# only this\n", 0, "", {"the file is empty", "allowed: a map with the keys rate, bodies"});
-  expectRefused("--- ~\n", 1, "", {"null is not a map", "allowed: a map with the keys rate, bodies"});
-  expectRefused("- a\n- b\n", 1, "", {"a list of 2 is not a map", "allowed: a map with the keys rate, bodies"});
-  expectRefused("spin\n", 1, "", {"spin is not a map", "allowed: a map with the keys rate, bodies"});
+  expectRefused("", 0, "", {"got an empty file$", "expected a map with the keys rate, bodies"});
+  expectRefused("# only this\n", 0, "", {"got an empty file$", "expected a map with the keys rate, bodies"});
+  expectRefused("--- ~\n", 1, "", {"got null$", "expected a map with the keys rate, bodies"});
+  expectRefused("- a\n- b\n", 1, "", {"got a list of 2$", "expected a map with the keys rate, bodies"});
+  expectRefused("spin\n", 1, "", {"got \"spin\"$", "expected a map with the keys rate, bodies"});
 }
 
 TEST(File, OfSeveralDocuments) {
-  expectRefused("bodies: [" + kBody + "]\n---\nbodies: []\n", 2, "",
-                {"a second YAML document", "allowed: one YAML document"});
+  expectRefused("bodies: [" + kBody + "]\n---\nbodies: []\n", 2, "", {"expected one YAML document, got a second$"});
   EXPECT_NO_THROW(read("%YAML 1.2\n---\nbodies: [" + kBody + "]\n...\n"));
 }
 
 TEST(File, ThatIsNotYaml) {
-  expectRefused("rate: 60\nbodies: []\n]\n", 3, "", {"not YAML", "allowed: one YAML document"});
-  expectRefused("rate: 60\nbodies: *nobody\n", 2, "", {"not YAML", "allowed: one YAML document"});
-  expectRefused("rate: 60\nbodies: {\"a\n", 3, "", {"not YAML", "allowed: one YAML document"});
+  expectRefused("rate: 60\nbodies: []\n]\n", 3, "", {"expected one YAML document, got text that is not YAML: "});
+  expectRefused("rate: 60\nbodies: *nobody\n", 2, "", {"expected one YAML document, got text that is not YAML: "});
+  expectRefused("rate: 60\nbodies: {\"a\n", 3, "", {"expected one YAML document, got text that is not YAML: "});
 }
 
 TEST(File, ControlCharactersAreRefused) {
-  expectRefused("rate: 60\n\x04 bodies: []\n", 2, "", {"control character"});
-  expectRefused(std::string("rate: 60\0\n", 10), 1, "", {"control character"});
+  expectRefused("rate: 60\n\x04 bodies: []\n", 2, "", {"expected YAML text in UTF-8, got a control character$"});
+  expectRefused(std::string("rate: 60\0\n", 10), 1, "", {"expected YAML text in UTF-8, got a control character$"});
 }
 
 TEST(File, TagsAreRefused) {
-  expectRefused("bodies: !!omap []\n", 1, "bodies", {"the tag", "omap", "allowed: no tags"});
+  expectRefused("bodies: !!omap []\n", 1, "bodies", {"the tag", "omap", "expected no tags"});
   expectRefused("!scene\nbodies: []\n", 1, "", {"the tag !scene"});
 }
 
@@ -74,14 +77,14 @@ TEST(File, LineEndingsCommentsAndAnchorsAreFine) {
       "  - {name: a, inertia: &m [1, 2, 3], angular_velocity: &w [0, 1, 0]}\n"
       "  - {name: b, inertia: *m, angular_velocity: *w}\n");
   EXPECT_EQ(scene.bodies.at(1).inertia.moments(), Eigen::Vector3d(1, 2, 3));
-  expectRefused("bodies: &b [*b]\n", 1, "bodies[0]", {"a list of 1 is not a map"});
+  expectRefused("bodies: &b [*b]\n", 1, "bodies[0]", {"got a list of 1$"});
 }
 
 TEST(File, TheLineIsThatOfTheValue) {
   expectRefused(
       "rate: 60\n\nbodies:\n  # one\n  - name: a\n    angular_velocity: [0, 1, 0]\n    inertia:\n      - 1\n      - 2\n"
       "      - -3\n",
-      10, "bodies[0] \"a\".inertia[2]", {"-3 is not positive"});
+      10, "bodies[0] \"a\".inertia[2]", {"got -3$"});
 }
 
 TEST(ScenesOfThePackage, TheWingnutSpinsAboutItsIntermediateAxis) {

@@ -146,8 +146,8 @@ TEST(ParameterTree, NeverGivesAnotherSceneThanTheFile) {
 TEST(ParameterTree, MessagesNameTheSourceAndNoLine) {
   YAML::Node tree = withoutLines(YAML::Load(scene_text::body({"inertia: [1, 2, -3]"})));
   EXPECT_EQ(messageOf(tree),
-            "~scene: bodies[0] \"brick\".inertia[2]: -3 is not positive; allowed: a positive finite number (kg·m²)");
-  EXPECT_EQ(messageOf(YAML::Node()), "~scene: null is not a map; allowed: a map with the keys rate, bodies");
+            "~scene: bodies[0] \"brick\".inertia[2]: expected a positive finite number (kg·m²), got -3");
+  EXPECT_EQ(messageOf(YAML::Node()), "~scene: expected a map with the keys rate, bodies, got null");
   EXPECT_EQ(messageOf(YAML::Node(YAML::NodeType::Undefined)).rfind("~scene: ", 0), 0u);
   const YAML::Node& constant = tree;
   EXPECT_EQ(messageOf(constant["nothing"]).rfind("~scene: ", 0), 0u);

@@ -65,10 +65,10 @@ expect "nothing else is left" 0 '^phone.gif phone.mp4 $' sh -c "ls -A '$work/fil
 ffmpeg -v error -f lavfi -i color=gray:size=640x360:rate=5:duration=2 "$work/still.mp4"
 expect "a film that stands still would be noticed" 1 'frames' film_is "$work/still.mp4" 640 360 2 10
 printf 'bodies:\n  - name: b\n    inertia: [1, -2, 3]\n    angular_velocity: [0, 0, 1]\n' > "$work/bad.yaml"
-expect "film.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$film" "$work/bad.yaml" --out "$work/films"
-expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: -2' "$demo" --headless --scene "$work/bad.yaml"
+expect "film.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: expected .*got -2' "$film" "$work/bad.yaml" --out "$work/films"
+expect "demo.sh: bad scene" 2 'bad.yaml:3: .*inertia\[1\]: expected .*got -2' "$demo" --headless --scene "$work/bad.yaml"
 printf 'bodies:\n  - name: b\n    inertia: [1, 2, 3]\n    angular_velocity: [0, 0.1, 1]\n    method: rk4\n    step: 5\n' > "$work/hopeless.yaml"
-expect "demo.sh: hopeless step" 2 'hopeless.yaml:6: .*rk4 with a step of 5 s .*allowed: a step of at most .* or closed_form' \
+expect "demo.sh: hopeless step" 2 'hopeless.yaml:6: .*expected a step of at most .* or closed_form.*got rk4 with a step of 5 s' \
   "$demo" --headless --scene "$work/hopeless.yaml"
 
 mkdir "$work/bin"

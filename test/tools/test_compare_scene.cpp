@@ -49,7 +49,7 @@ TEST(CompareScene, aSceneThatIsNoRegularFileIsRefused) {
   const Outcome outcome = runProgram("timeout 30 " + shellWord(COMPARE_SCENE) + " /dev/zero", "");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
-            "compare_scene: /dev/zero: is a character device; expected a regular file of at most 4194304 bytes\n");
+            "compare_scene: /dev/zero: expected a regular file of at most 4194304 bytes, got a character device\n");
 }
 
 TEST(CompareScene, outputThatDoesNotArriveIsAnError) {
@@ -66,9 +66,10 @@ TEST(CompareScene, badUse) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
   expectRefusal("", "scene is required");
-  expectRefusal("--mode equal_luck " + kFlip, "equal_luck");
-  expectRefusal("--step -1 " + kFlip, "-1");
-  expectRefusal("--body nobody " + kFlip, "no body \"nobody\"; it has wingnut");
+  expectRefusal("--mode equal_luck " + kFlip,
+                "compare_scene: --mode: expected one of equal_cost, equal_step, got \"equal_luck\"\n");
+  expectRefusal("--step -1 " + kFlip, "--step: expected a positive finite number (s), got \"-1\"\n");
+  expectRefusal("--body nobody " + kFlip, "--body: expected one of wingnut");
   expectRefusal("/nowhere/scene.yaml", "/nowhere/scene.yaml");
   expectRefusal("--mode equal_step --step 50 " + kFlip, "lie_euler with a step of 50 s");
 }

@@ -207,8 +207,8 @@ TEST(Propagate, badCellsAreRefusedWithLineAndReason) {
                     {"line 5", columns[column]});
     }
   }
-  expectRefused(rk4(kHeader + rowWith(2, "nan")), {"line 2", "mu2 is nan, not a finite number"});
-  expectRefused(rk4(kHeader + rowWith(11, "1s")), {"line 2", "t is \"1s\", not a number"});
+  expectRefused(rk4(kHeader + rowWith(2, "nan")), {"line 2", "mu2: expected a finite number, got \"nan\"\n"});
+  expectRefused(rk4(kHeader + rowWith(11, "1s")), {"line 2", "t: expected a finite number, got \"1s\"\n"});
 }
 
 TEST(Propagate, badBodiesAreRefused) {
@@ -217,16 +217,19 @@ TEST(Propagate, badBodiesAreRefused) {
       expectRefused(rk4(kHeader + kRow + rowWith(i, bad)), {"line 3", "moment " + std::to_string(i), "positive"});
     }
   }
-  expectRefused(rk4(kHeader + rowWith(4, "0")), {"line 2", "quaternion is zero"});
+  expectRefused(rk4(kHeader + rowWith(4, "0")),
+                {"line 2", "q0w, q0x, q0y, q0z: expected a quaternion other than zero"});
   // Moments of no real body are simulated.
   EXPECT_EQ(rk4(kHeader + rowWith(3, "100")).exit_code, 0);
 }
 
 TEST(Propagate, rowsOfAnotherLengthAreRefused) {
-  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02\n"), {"line 3", "11 cells", "12"});
-  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02,2.5,\n"), {"line 3", "13 cells", "12"});
-  expectRefused(rk4(kHeader + "a\n"), {"line 2", "1 cells"});
-  expectRefused(rk4(kHeader + ",,,,,,,,,,,\n"), {"line 2", "mu1 is empty"});
+  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02\n"),
+                {"line 3: expected 12 cells as in the header, got 11\n"});
+  expectRefused(rk4(kHeader + kRow + "a,1,2,3,1,0,0,0,0.01,1,0.02,2.5,\n"),
+                {"line 3: expected 12 cells as in the header, got 13\n"});
+  expectRefused(rk4(kHeader + "a\n"), {"line 2: expected 12 cells as in the header, got 1\n"});
+  expectRefused(rk4(kHeader + ",,,,,,,,,,,\n"), {"line 2: mu1: expected a finite number, got \"\"\n"});
 }
 
 TEST(Propagate, quotesAreRefused) {
@@ -235,11 +238,12 @@ TEST(Propagate, quotesAreRefused) {
 }
 
 TEST(Propagate, badHeadersAreRefused) {
-  expectRefused(rk4(""), {"line 1", "no header"});
-  expectRefused(rk4("# only\n\n"), {"line 3", "no header"});
+  expectRefused(rk4(""), {"line 1: expected a header"});
+  expectRefused(rk4("# only\n\n"), {"line 3: expected a header"});
   expectRefused(rk4(kRow), {"line 1", "lacks id, mu1"});
   expectRefused(rk4("id,mu1,mu2,q0w,q0x,q0y,q0z,O01,O02,O03\n"), {"line 1", "lacks mu3, t"});
-  expectRefused(rk4("\n" + kHeader.substr(0, kHeader.size() - 1) + ",mu2\n"), {"line 2", "mu2 twice"});
+  expectRefused(rk4("\n" + kHeader.substr(0, kHeader.size() - 1) + ",mu2\n"),
+                {"line 2", "expected every column once, got mu2 twice"});
   expectRefused(rk4("ID" + kHeader.substr(2)), {"line 1", "lacks id"});
 }
 
@@ -255,7 +259,8 @@ TEST(Propagate, semicolonsAndTabsSeparateCellsToo) {
     const Outcome outcome = rk4(separatedBy(separator, kHeader + kRow));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, by_commas.out);
-    expectRefused(rk4(separatedBy(separator, kHeader + "a,1\n")), {"line 2", "2 cells", "12"});
+    expectRefused(rk4(separatedBy(separator, kHeader + "a,1\n")),
+                  {"line 2: expected 12 cells as in the header, got 2\n"});
   }
   const std::string header = separatedBy(';', kHeader);
   expectRefused(rk4(header + separatedBy(';', rowWith(1, "1|5")).replace(3, 1, ",")),
@@ -282,20 +287,23 @@ TEST(Propagate, oneBadRowAndNothingComesOut) {
 }
 
 TEST(Propagate, tooManyStepsAreRefused) {
-  expectRefused(rk4(kHeader + kRow + rowWith(11, "1e300")), {"line 3", "1e12 steps"});
-  expectRefused(propagate("--method rk4 --step 1e-320", kHeader + kRow), {"line 2", "1e12 steps"});
+  expectRefused(rk4(kHeader + kRow + rowWith(11, "1e300")), {"line 3", "t: expected at most 1e12 steps"});
+  expectRefused(propagate("--method rk4 --step 1e-320", kHeader + kRow), {"line 2", "t: expected at most 1e12 steps"});
 }
 
 TEST(Propagate, badUse) {
   const std::string input = kHeader + kRow;
-  expectRefused(propagate("--step 0.1", input),
-                {"--step is for steppers", methodNames(freeMethods()), "closed_form takes none"});
+  expectRefused(propagate("--step 0.1", input), {"--step: expected a stepper beside it", methodNames(freeMethods()),
+                                                 "got closed_form, which takes no step\n"});
   expectRefused(propagate("--method closed_form --step 0.1", input),
-                {"--step is for steppers", methodNames(freeMethods())});
-  expectRefused(propagate("--method nonsense", input), {"nonsense", "closed_form, " + methodNames(freeMethods())});
+                {"--step: expected a stepper beside it", methodNames(freeMethods())});
+  expectRefused(propagate("--method nonsense", input),
+                {"--method: expected one of closed_form, " + methodNames(freeMethods()) + ", got \"nonsense\"\n"});
   expectRefused(propagate("--method nonsense --step 0.1", input), {"nonsense", "rk4"});
-  expectRefused(propagate("--method rk4 --step ''", input), {"--step is empty"});
-  expectRefused(propagate("--method rk4", input), {"rk4 needs --step"});
+  expectRefused(propagate("--method rk4 --step ''", input),
+                {"propagate: --step: expected a positive finite number (s), got \"\"\n"});
+  expectRefused(propagate("--method rk4", input),
+                {"--step: expected a positive finite number (s) for rk4, got none\n"});
   for (const std::string& bad : std::vector<std::string>{"0", "-0.1", "-0", "nan", "inf", "x", "0.1s", "''"}) {
     expectRefused(propagate("--method rk4 --step " + bad, input), {"step"});
     expectRefused(propagate("--method rk4 --step=" + bad, input), {"step"});

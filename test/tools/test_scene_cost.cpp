@@ -235,17 +235,19 @@ TEST(SceneCost, badUse) {
   };
   expectRefusal("", "scene is required");
   expectRefusal("/nowhere/scene.yaml", "/nowhere/scene.yaml");
-  expectRefusal(file.word + " --rate 0", "--rate is \"0\"; allowed: a positive finite number");
-  expectRefusal(file.word + " --rate inf", "--rate is \"inf\"");
-  expectRefusal(file.word + " --duration -3", "--duration is \"-3\"");
-  expectRefusal(file.word + " --duration soon", "--duration is \"soon\"");
-  expectRefusal(file.word + " --duration 1e7", "takes body a 1e+10 steps");
-  expectRefusal(file.word + " --duration 1e6 --rate 1e6", "states; allowed: up to 1e+09");
+  expectRefusal(file.word + " --rate 0", "scene_cost: --rate: expected a positive finite number (Hz), got \"0\"\n");
+  expectRefusal(file.word + " --rate inf", "--rate: expected a positive finite number (Hz), got \"inf\"\n");
+  expectRefusal(file.word + " --duration -3", "--duration: expected a positive finite number (s), got \"-3\"\n");
+  expectRefusal(file.word + " --duration soon", "--duration: expected a positive finite number (s), got \"soon\"\n");
+  expectRefusal(file.word + " --duration 1e7",
+                "--duration: expected at most 1e+09 steps of body a, got 1e+10 (1e+07 s)\n");
+  expectRefusal(file.word + " --duration 1e6 --rate 1e6",
+                "--duration: expected at most 1e+09 states, got 1e+12 (1e+06 s at 1e+06 Hz)\n");
   expectRefusal(file.word + " --colour", "--colour");
-  expectRefusal(file.word + " --csv ''", "--csv is empty");
-  expectRefusal(file.word + " --csv " + file.word, "is the scene itself and would be lost");
+  expectRefusal(file.word + " --csv ''", "--csv: expected a value, got \"\"\n");
+  expectRefusal(file.word + " --csv " + file.word, "--csv: expected a file other than the scene, got ");
   const SceneFile torqued(oneBody("method: closed_form, effects: [{type: viscous_damping, coefficient: 1}]"));
-  expectRefusal(torqued.word, "closed_form is the motion of a free body");
+  expectRefusal(torqued.word, "got \"closed_form\": it is the motion of a free body");
 }
 
 TEST(SceneCost, aMotionThatIsLostIsSaid) {

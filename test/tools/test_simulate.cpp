@@ -242,7 +242,7 @@ TEST_F(Simulate, moreColumns) {
   const std::string energy = simulate(text, "--duration 3 --rate 10 --csv - --columns energy").out;
   EXPECT_EQ(energy.substr(0, energy.find('\n')), kHeader + ",E,Lx,Ly,Lz");
   expectRefused(kTop, "--duration 3 --csv a.csv --columns states,speed", 2,
-                {"--columns", "expected states, energy and errors", "speed"});
+                {"--columns: expected states, energy and errors", ", got \"speed\"\n"});
 }
 
 TEST_F(Simulate, theSameBytesEveryTime) {
@@ -327,20 +327,23 @@ TEST_F(Simulate, anAccuracyHoldsForTheDuration) {
 }
 
 TEST_F(Simulate, badScenesAndBadUse) {
-  expectRefused("bodies: []\n", "--duration 1 --csv a.csv", 2, {"scene.yaml:1", "empty list"});
+  expectRefused("bodies: []\n", "--duration 1 --csv a.csv", 2, {"scene.yaml:1", "got an empty list"});
   expectRefused(kTop + "    mass: 3\n", "--duration 1 --csv a.csv", 2, {"scene.yaml:"});
   expectRefused(kTop, "--duration 1", 2, {"--csv", "--bag"});
   expectRefused(kTop, "--csv a.csv", 2, {"--duration"});
   for (const char* bad : {"0", "-1", "nan", "inf", "x", "1s", "1e999", "''", "-0"}) {
-    expectRefused(kTop, std::string("--csv a.csv --duration ") + bad, 2, {"--duration"});
-    expectRefused(kTop, std::string("--csv a.csv --duration 1 --rate ") + bad, 2, {"--rate"});
+    expectRefused(kTop, std::string("--csv a.csv --duration ") + bad, 2,
+                  {"simulate: --duration: expected a positive finite number (s), got"});
+    expectRefused(kTop, std::string("--csv a.csv --duration 1 --rate ") + bad, 2,
+                  {"simulate: --rate: expected a positive finite number (Hz), got"});
   }
   expectRefused(kTop, "--csv a.csv --duration 1e300", 2, {"states", "1e+12"});
   expectRefused(kTop, "--csv a.csv --duration 1 --rate 1e300", 2, {"states", "1e+12"});
   expectRefused(kTop, "--bag a.bag --duration 1e10 --rate 0.001", 2, {"stamps"});
   expectRefused(kTop, "--bag a.bag --duration 1e-6 --rate 1e9", 2, {"stamps"});
-  expectRefused(kTop, "--csv a --bag ./a --duration 1", 2, {"same file"});
-  expectRefused(kTop, "--csv scene.yaml --duration 1", 2, {"is the scene itself"});
+  expectRefused(kTop, "--csv a --bag ./a --duration 1", 2,
+                {"--bag: expected a file other than that of --csv, got ./a\n"});
+  expectRefused(kTop, "--csv scene.yaml --duration 1", 2, {"--csv: expected a file other than the scene"});
   expectRefused(kTop, "--bag - --duration 1", 2, {"a bag needs a file"});
   expectRefused(kTop, "--csv '' --duration 1", 2, {"--csv"});
   expectRefused(kTop, "--cvs a --duration 1", 2, {"--cvs"});

@@ -23,7 +23,7 @@ inline void throwIf(const std::atomic<bool>& cancel) {
   if (cancel) throw Cancelled();
 }
 
-/** Does the stepping that motion.at(t) needs, or throws Cancelled. */
+/** Takes the steps that motion.at(t) needs, or throws Cancelled. */
 inline void prepare(Motion& motion, double t, const std::atomic<bool>& cancel) {
   if (cancel || !motion.prepare(t, cancel)) throw Cancelled();
 }

@@ -10,11 +10,11 @@
 #include "poinsot/cost/cancelled.h"
 #include "poinsot/cost/method_costs.h"
 
-/** The cheapest way to an accuracy. */
+/** The choice of the cheapest method and step for an accuracy. */
 namespace poinsot::cost {
 
 struct AccuracyRequest {
-  double accuracy = 0;                  ///< attitude error that may be reached [rad], positive
+  double accuracy = 0;                  ///< greatest attitude error [rad], positive
   double horizon = 0;                   ///< it must hold for 0 ≤ t ≤ horizon [s], positive
   double rate = 0;                      ///< at which the state will be asked for [Hz], positive
   std::vector<std::string> candidates;  ///< methods to choose from, "closed_form" among them or not
@@ -23,43 +23,42 @@ struct AccuracyRequest {
 struct Choice {
   std::string method;
   std::optional<double> step;  ///< [s]; none for the closed form
-  double estimated_error = 0;  ///< at the ends of steps, while the step was looked for [rad]
+  double estimated_error = 0;  ///< at the ends of steps, during the search [rad]
   double verified_error = 0;   ///< the greatest at the ticks, up to a million of them, and at the horizon [rad]
-  double cost = 0;             ///< CPU seconds per simulated second, by the costs given
+  double cost = 0;             ///< CPU seconds per simulated second, by the given costs
 };
 
-/** No candidate reaches the accuracy: what() says which came nearest and how near, and what is allowed instead. */
+/** No candidate reaches the accuracy; what() says which comes nearest, and how near. */
 class Unreachable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/** What the closed form is held to by references of 60 digits: an accuracy below it is out of reach [rad]. */
+/** The bound of the closed form's error, by references of 60 digits: a smaller accuracy is out of reach [rad]. */
 constexpr double kClosedFormError = 2e-15;
 
 /**
- * Returns the cheapest candidate and step. For each method the longest step that keeps the accuracy is found by trials
- * over the whole horizon, from the order of the method. Methods that cannot become cheaper than the best so far are
+ * Returns the cheapest candidate and step. The longest step of each method that keeps the accuracy is found by trials
+ * over the whole horizon, guided by the order of the method. Methods that cannot be cheaper than the best so far are
  * left out.
  *
- * A free body is compared with the closed form: in trials at the ends of steps, and then as it will be asked for its
- * states. Under torques the truth is the motion itself by a Taylor method of high order, at a step that is halved until
- * another order at another step gives the same to a tenth of the accuracy. The accuracy is then that of the attitude
- * [rad] and, relative to |Ω|, of Ω (but for moments at which |Ω| is below a hundredth of its greatest, and for a body
- * brought to rest, of whose spin rounding leaves 1e-14), at up to 512 times up to the horizon, that included.
+ * A free body is compared with the closed form: in trials at the ends of steps, and then at the times of its states.
+ * Under torques the truth is the motion itself by a Taylor method of high order, at a step that is halved until another
+ * order at another step gives the same to a tenth of the accuracy. The accuracy is then that of the attitude [rad] and,
+ * relative to |Ω|, of Ω (but for moments at which |Ω| is below a hundredth of its greatest, and for a body brought to
+ * rest, of whose spin rounding leaves 1e-14), at up to 512 times up to the horizon, that included.
  *
- * @param setup the body and its start; method and step in it are not looked at.
+ * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Cancelled, and Unreachable, under
+ * torques also where the truth is not known to the accuracy because of rounding or a very sensitive motion.
+ * @param setup the body and its start; its method and step are ignored.
  * @param cancel makes it give up within some 10 ms.
- * Takes about as long as a few runs to the horizon, milliseconds for most. Throws Unreachable, or Cancelled. Under
- * torques also where the truth is not known to the accuracy: rounding, or a motion so sensitive that doubles do not
- * tell.
  */
 Choice choose(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
               const std::atomic<bool>& cancel = kNeverCancelled);
 
 /**
- * Returns the motion under torques as exactly as doubles have it, whatever that is; verified_error says how far two
- * references came to agree. Throws like choose().
+ * Returns the most exact choice for a motion under torques; verified_error is the difference of two references. Throws
+ * like choose().
  */
 Choice mostExact(const MotionSetup& setup, const AccuracyRequest& request, const MethodCosts& costs,
                  const std::atomic<bool>& cancel = kNeverCancelled);

@@ -4,7 +4,7 @@
 
 namespace poinsot::cost {
 
-/** What a motion costs: CPU seconds per simulated second. */
+/** The measured cost of a motion: CPU seconds per simulated second. */
 class CostMeter {
  public:
   /**
@@ -14,17 +14,18 @@ class CostMeter {
   CostMeter(Motion motion, double rate);
 
   /**
-   * Takes what the last tick cost. Now and then ticks are played on with a copy of the motion: where they prove short,
-   * a few in a row are the figure, for one alone costs more for caches that others have filled than for the motion.
+   * Adds the cost of the last tick. Now and then a copy of the motion is run for some further ticks. Where these are
+   * short, a few in a row give the figure, because the cost of a single one is mostly that of cold caches.
    * @param cpu [s], the difference of two calls of threadCpuTime().
    * @param motion now at `time`, to which it was moved by `simulated` [s, either direction].
    */
   void add(double cpu, double simulated, double time, const Motion& motion);
 
-  /** As measured lately. */
+  /** Returns the latest figure. */
   double cost() const { return cost_; }
 
-  /** Of the stepping alone, as the trial run showed: what a faster play costs more. 0 where there are no steps. */
+  /** Returns the cost of the steps alone, from the trial run: this part grows with the speed of play. 0 without steps.
+   */
   double steppingCost() const { return stepping_cost_; }
 
  private:

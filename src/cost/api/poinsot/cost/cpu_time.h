@@ -2,10 +2,10 @@
 
 namespace poinsot::cost {
 
-/** CPU time of the calling thread [s]. */
+/** Returns the CPU time of the calling thread [s]. */
 double threadCpuTime();
 
-/** CPU time [s] that passes between two calls of threadCpuTime() with nothing in between; measured once. */
+/** Returns the CPU time [s] between two calls of threadCpuTime() with nothing in between; measured once. */
 double clockCost();
 
 }  // namespace poinsot::cost

@@ -3,21 +3,21 @@
 #include <map>
 #include <string>
 
-/** What methods cost. */
+/** The cost of methods. */
 namespace poinsot::cost {
 
 /** CPU time of a method, in seconds. */
 struct MethodCost {
-  double per_state;  ///< of asking for a state once, whole steps apart; a stepper's partial step is part of it
-  double per_step;   ///< of one more whole step; 0 for the closed form
+  double per_state;  ///< for one state, without whole steps; includes a stepper's partial step
+  double per_step;   ///< for a whole step; 0 for the closed form
 };
 
-/** How a method is called in MethodCosts: those that also move free bodies have other costs under torques. */
+/** Returns a method's name in MethodCosts; methods that also move free bodies have other costs under torques. */
 inline std::string costName(const std::string& method, bool torqued) {
   return (torqued ? "torques/" : "") + method;
 }
 
-/** By name of method, "closed_form" among them. */
+/** The costs by name of method, "closed_form" among them. */
 class MethodCosts {
  public:
   explicit MethodCosts(std::map<std::string, MethodCost> costs) : costs_(std::move(costs)) {}
@@ -26,7 +26,7 @@ class MethodCosts {
   const MethodCost& of(const std::string& method) const { return costs_.at(method); }
 
   /**
-   * CPU seconds per simulated second of a motion that is asked for its state at `rate` [Hz].
+   * Returns CPU seconds per simulated second of a motion that is asked for its state at `rate` [Hz].
    * @param step [s]; ignored for the closed form.
    */
   double perSimulatedSecond(const std::string& method, double step, double rate) const;
@@ -38,9 +38,9 @@ class MethodCosts {
 };
 
 /**
- * What the methods once cost on one machine, rounded; benchmark/method_costs measures them again. The choice of a
- * method depends on their proportions only, which differ little between machines, and a scene is given the same method
- * and step everywhere and every time.
+ * Returns the costs of the methods on one machine, rounded; benchmark/method_costs measures them again. The choice of a
+ * method depends on their proportions only, which differ little between machines. Because the figures are fixed, a
+ * scene gets the same method and step everywhere and every time.
  */
 const MethodCosts& nominalCosts();
 

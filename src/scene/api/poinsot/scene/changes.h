@@ -8,31 +8,33 @@
 #include "poinsot/core/motion.h"
 #include "poinsot/scene/scene.h"
 
-/** A body of a scene with something changed, held to what a scene file is held to. Each throws Error with what is
- * allowed. */
+/**
+ * Changes to a body of a scene. Each function returns the changed body, under the same conditions as a scene file, and
+ * throws Error where it refuses the change.
+ */
 namespace poinsot::scene {
 
-/** Names of the methods that can move the body: the closed form first where there is one. */
+/** Returns the names of the methods that can move the body; the closed form comes first where there is one. */
 std::vector<std::string> methodsFor(const Body& body);
 
 /**
- * The body under a method of that name.
- * @param step [s], positive and finite; nothing: one at which the body turns by about 0.02 rad, less where the method
- *        needs it. Ignored by the closed form.
+ * Returns the body under the method of that name.
+ * @param step [s], positive and finite. Without one, the step is such that the body turns by about 0.02 rad in it, or
+ *        less where the method needs that. The closed form ignores it.
  * @param warnings gets a sentence where the step is doubtful.
  */
 Body withMethod(Body body, const std::string& method, std::optional<double> step, std::vector<std::string>& warnings);
 
 /**
- * The body starting anew at t = 0 where it is now, with this Ω [rad/s, body axes]; finite, and such that E and |L|² are
- * held in full precision. A step that would not follow the body then is refused.
+ * Returns the body starting anew at t = 0 from where it is now, with this Ω [rad/s, body axes]. Refuses an Ω that is
+ * not finite or whose E or |L|² doubles do not hold in full precision, and a step that would not follow the body then.
  * @param now the body's state.
  */
 Body withSpin(Body body, const MotionState& now, const Eigen::Vector3d& omega_body);
 
 /**
- * The body with the start that another scene's body of the same kind has. Where its present step would not follow that,
- * it gets that body's method back too.
+ * Returns the body with the start of another scene's body of the same kind. Where its present step would not follow
+ * that motion, it also gets that body's method.
  */
 Body withStartOf(Body body, const Body& other);
 

@@ -5,7 +5,7 @@
 
 namespace poinsot::scene {
 
-/** What a scene's body asks of core. */
+/** Returns what core needs to move a body of a scene. */
 inline MotionSetup motionSetup(const Body& body) {
   return {body.inertia, body.attitude, body.omega_body, body.method, body.step, body.translation, body.effects};
 }

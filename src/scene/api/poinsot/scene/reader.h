@@ -11,8 +11,8 @@
 namespace poinsot::scene {
 
 /**
- * A scene that is refused. what() reads `source:line: place: what was found; allowed: what is`, for example
- * `spin.yaml:4: bodies[0] "top".inertia[2]: -3 is not positive; allowed: a positive finite number (kg·m²)`.
+ * A scene that is refused. what() reads `source:line: place: expected X, got Y`, for example
+ * `spin.yaml:4: bodies[0] "top".inertia[2]: expected a positive finite number (kg·m²), got -3`.
  * Entries are counted from 0; the line is left out where a tree has none.
  */
 class Error : public std::runtime_error {
@@ -20,14 +20,13 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/** What a program knows that the scene need not say. */
+/** What a program knows, so that the scene need not say it. */
 struct ReadOptions {
-  /** For how long the program will look at the motion [s]: every accuracy holds at least so long, and need not say it.
-   */
+  /** How long the program follows the motion [s]: every accuracy holds at least so long, even without a horizon. */
   std::optional<double> horizon;
 };
 
-/** The tree of a file that holds one YAML document, within the limits of doc/scene_file.md. Throws Error. */
+/** Returns the tree of a file that holds one YAML document, within the limits of doc/scene_file.md. Throws Error. */
 YAML::Node readDocument(const std::string& path);
 
 /** Reads and validates a scene file, doc/scene_file.md. Throws Error. */
@@ -40,8 +39,7 @@ Scene readFile(const std::string& path, const ReadOptions& options = {});
  */
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options = {});
 
-/** A rate as the key `rate` of a scene takes it [Hz], wherever it stands. Throws Error. @param source names the place.
- */
+/** Returns a rate [Hz] under the rules of a scene's key `rate`. Throws Error. @param source names the place. */
 double readRate(const YAML::Node& node, const std::string& source);
 
 }  // namespace poinsot::scene

@@ -14,16 +14,16 @@
 
 namespace poinsot::scene {
 
-/** How exact a body's motion must be, where the scene says this instead of a method and a step. */
+/** How exact a body's motion must be; a scene may give this instead of a method and a step. */
 struct Accuracy {
   double error;                         ///< of the attitude, at most [rad]
   double horizon;                       ///< for 0 ≤ t ≤ horizon [s]
   std::vector<std::string> candidates;  ///< methods to choose from, at least one
-  bool by_default = false;              ///< the scene says nothing: as well as it can be done, if not so well
-  std::string place;                    ///< what a message about it begins with
+  bool by_default = false;  ///< the scene gives none; where it is out of reach, the best that is within reach will do
+  std::string place;        ///< what a message about it begins with
 };
 
-/** A mesh that is drawn where a body would be as its solids; nothing is ever computed with it. */
+/** A mesh that is drawn in place of the body's solids; nothing is computed with it. */
 struct Appearance {
   std::string mesh;                                    ///< package://… or file:///…, COLLADA or STL
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();     ///< the mesh's lengths → metres, along its own axes
@@ -38,7 +38,7 @@ struct Body {
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   std::optional<Assembly> shape;                                 ///< where the scene gives one instead of the inertia
   Eigen::Vector3d shape_position = Eigen::Vector3d::Zero();      ///< its centre of mass, from a pivot, body axes [m]
-  std::optional<Appearance> appearance;                          ///< where it is not drawn as its shape
+  std::optional<Appearance> appearance;                          ///< where a mesh is drawn in place of its shape
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< at t = 0, body → world, unit
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();          ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;
