@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "poinsot/core/pi.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
 
-constexpr double kThinnestSide = 0.02;  // of the longest, for a stand-in box
+constexpr double kThinnestSide = 0.02;  // of an equivalent box, as a share of its longest side
 
-/** Σ over the solid of (x/w)², divided by its mass, for the three axes. */
+/** Returns the mean of (x/w)² over the solid, w its full extent, for each of the three axes. */
 Eigen::Vector3d secondMoments(SolidType type) {
   switch (type) {
     case SolidType::box:
@@ -23,13 +24,6 @@ Eigen::Vector3d secondMoments(SolidType type) {
       return {1.0 / 16, 1.0 / 16, 1.0 / 12};
   }
   throw std::logic_error("unknown type of solid");
-}
-
-void requirePositive(double value, const char* what) {
-  if (value > 0 && std::isfinite(value)) return;
-  std::ostringstream out;
-  out << what << " is " << value << "; it must be positive and finite";
-  throw std::invalid_argument(out.str());
 }
 
 /** Gives each part the share of `mass` that its volume has. */
@@ -73,12 +67,12 @@ Eigen::Matrix3d Solid::inertiaTensor() const {
 }
 
 Assembly::Assembly(std::vector<Solid> parts) : parts_(std::move(parts)) {
-  if (parts_.empty()) throw std::invalid_argument("an assembly needs at least one part");
+  if (parts_.empty()) refuse("expected an assembly of at least one part, got none");
   double mass = 0;
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   for (const Solid& part : parts_) {
-    for (int i = 0; i < 3; ++i) requirePositive(part.size[i], "a length");
-    requirePositive(part.mass, "a mass");
+    for (int i = 0; i < 3; ++i) requirePositive(part.size[i], "length", "m");
+    requirePositive(part.mass, "mass", "kg");
     mass += part.mass;
     weighted += part.mass * part.centre;
   }

@@ -511,10 +511,11 @@ TEST(ClosedFormRefuses, momentsOfNoBody) {
       };
     };
     const std::string name = "moment " + std::to_string(i + 1);
-    expectRefused(with(0), {name + " is 0", "positive and finite"});
-    expectRefused(with(-0.5), {name + " is -0.5", "positive and finite"});
-    expectRefused(with(kInfinity), {name + " is inf", "positive and finite"});
-    expectRefused(with(kNaN), {name, "nan", "positive and finite"});
+    const std::string expected = name + ": expected a positive finite number (kg·m²), got ";
+    expectRefused(with(0), {expected + "0"});
+    expectRefused(with(-0.5), {expected + "-0.5"});
+    expectRefused(with(kInfinity), {expected + "inf"});
+    expectRefused(with(kNaN), {expected, "nan"});
   }
 }
 
@@ -527,11 +528,10 @@ TEST(ClosedFormRefuses, omegaThatIsNotFinite) {
           [&] {
             ClosedForm({1, 2, 3}, kAttitude, omega);
           },
-          {std::to_string(i + 1),
+          {"component " + std::to_string(i + 1) + " of the angular velocity: expected a finite number (rad/s)",
            std::isnan(bad) ? "nan"
-           : bad > 0       ? "is inf"
-                           : "is -inf",
-           "finite"});
+           : bad > 0       ? "got inf"
+                           : "got -inf"});
     }
   }
 }
