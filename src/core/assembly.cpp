@@ -1,8 +1,8 @@
 #include "poinsot/core/assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "poinsot/core/pi.h"
@@ -13,17 +13,18 @@ namespace {
 
 constexpr double kThinnestSide = 0.02;  // of an equivalent box, as a share of its longest side
 
-/** Returns the mean of (x/w)² over the solid, w its full extent, for each of the three axes. */
-Eigen::Vector3d secondMoments(SolidType type) {
-  switch (type) {
-    case SolidType::box:
-      return Eigen::Vector3d::Constant(1.0 / 12);
-    case SolidType::ellipsoid:
-      return Eigen::Vector3d::Constant(1.0 / 20);
-    case SolidType::cylinder:
-      return {1.0 / 16, 1.0 / 16, 1.0 / 12};
-  }
-  throw std::logic_error("unknown type of solid");
+/** A form relative to the box of its extents. */
+struct Form {
+  double numerator, denominator;   ///< of its volume, as a share of that of the box
+  Eigen::Vector3d second_moments;  ///< the mean of (x/w)², w the extent, for each of the three axes
+};
+
+const Form& formOf(SolidType type) {
+  // In the order of SolidType.
+  static const std::array<Form, 3> forms = {Form{1, 1, {1.0 / 12, 1.0 / 12, 1.0 / 12}},
+                                            {kPi, 6, {1.0 / 20, 1.0 / 20, 1.0 / 20}},
+                                            {kPi, 4, {1.0 / 16, 1.0 / 16, 1.0 / 12}}};
+  return forms.at(static_cast<std::size_t>(type));
 }
 
 /** Gives each part the share of `mass` that its volume has. */
@@ -46,20 +47,11 @@ Eigen::Quaterniond about(double angle, const Eigen::Vector3d& axis) {
 }  // namespace
 
 double Solid::volume() const {
-  const double box = size.prod();
-  switch (type) {
-    case SolidType::box:
-      return box;
-    case SolidType::ellipsoid:
-      return box * kPi / 6;
-    case SolidType::cylinder:
-      return box * kPi / 4;
-  }
-  throw std::logic_error("unknown type of solid");
+  return size.prod() * formOf(type).numerator / formOf(type).denominator;
 }
 
 Eigen::Matrix3d Solid::inertiaTensor() const {
-  const Eigen::Vector3d s = mass * secondMoments(type).cwiseProduct(size.cwiseProduct(size));
+  const Eigen::Vector3d s = mass * formOf(type).second_moments.cwiseProduct(size.cwiseProduct(size));
   const Eigen::Vector3d moments(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
   if (orientation.vec().isZero(0)) return moments.asDiagonal();
   const Eigen::Matrix3d r = orientation.toRotationMatrix();

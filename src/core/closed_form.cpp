@@ -68,15 +68,9 @@ void ClosedForm::sample(double t0, double dt, std::int64_t n, double* const colu
 }
 
 ClosedForm::Regime ClosedForm::regime() const {
-  switch (constants_.kind) {
-    case Constants::Kind::steady:
-      return Regime::steady;
-    case Constants::Kind::separatrix:
-      return Regime::separatrix;
-    case Constants::Kind::periodic:
-      break;
-  }
-  return Regime::general;
+  return constants_.kind == Constants::Kind::steady     ? Regime::steady
+         : constants_.kind == Constants::Kind::periodic ? Regime::general
+                                                        : Regime::separatrix;
 }
 
 int ClosedForm::encircledAxis() const {

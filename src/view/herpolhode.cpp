@@ -124,8 +124,8 @@ void drawSeparatrix(const ClosedForm& motion, const Tip& tip, double tolerance, 
   for (const double t : spread.times()) out.curve.points.push_back(tip(t));
 }
 
-/** Returns how many half periods, each turning by `angle`, bring a point at radius `outer` back; 0 if more than `most`.
- */
+/** Returns how many half periods, each turning by `angle`, bring a point at radius `outer` back; 0 where it takes more
+ * than `most`. */
 int halfPeriodsToClose(double angle, double outer, double tolerance, int most) {
   for (int n = 1; n <= most; ++n) {
     if (std::abs(std::remainder(n * angle, kWholeTurn)) * outer <= tolerance) return n;

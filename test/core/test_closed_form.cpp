@@ -1,5 +1,5 @@
-// What the closed form says of a motion besides its states, against published figures, formulas evaluated here and the
-// motion itself; and what it refuses. The states are judged by test_closed_form_rows.cpp.
+// Quantities of a motion that the closed form gives besides its states, against published figures, formulas evaluated
+// here and the motion itself; and what it refuses. The states are judged by test_closed_form_rows.cpp.
 #include "poinsot/core/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -259,7 +259,7 @@ TEST(ClosedFormPrecession, isTheMeanOverLongTimes) {
   for (const Body& body : kBodies) {
     const ClosedForm form = body.closedForm();
     EXPECT_DOUBLE_EQ(form.precessionRate(), form.montgomeryAngle() / form.period()) << named(body);
-    // Whole periods: exactly. Other times: to what one of them may hold back.
+    // Exactly for whole periods; for other times within the variation of one period.
     const int steps = 5 * static_cast<int>(std::ceil(40 * form.montgomeryAngle() / M_PI));
     EXPECT_NEAR(turnFollowed(body, form, 5 * form.period(), 5 * steps), 5 * form.montgomeryAngle(),
                 1e-11 * form.montgomeryAngle())
@@ -290,7 +290,7 @@ TEST(ClosedFormPrecession, whereOmegaIsConstantOrTendsToAnAxis) {
   EXPECT_EQ(rate({{1, 2, 3}, {0, 0, 0}}), 0);
 }
 
-// --- What the motion is
+// --- Regimes
 
 struct Known {
   Body body;

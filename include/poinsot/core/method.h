@@ -19,8 +19,8 @@ struct Method {
   bool takes_damping;       ///< whether it takes torques that depend on Ω, not only those that depend on t and R
   bool cuts_steps;          ///< whether it divides a step that is too long for it
 
-  /** Binds it to a free body; nullptr where it moves no free bodies. @param moments principal moments [kg·m²], valid.
-   */
+  /** Binds it to a free body; nullptr where it moves no free bodies.
+   * @param moments principal moments [kg·m²], valid. */
   std::unique_ptr<Stepper> (*make_free)(const Eigen::Vector3d& moments);
   /** Binds it to a body under torques; nullptr where it takes no torques. */
   std::unique_ptr<Stepper> (*make_torqued)(const Torques& torques);

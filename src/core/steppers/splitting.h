@@ -10,8 +10,8 @@
 
 namespace poinsot::steppers {
 
-/** Symmetric compositions exp(a₁A) exp(b₁B) exp(a₂A) … exp(a₁A): coefficients from the ends to the middle, each once.
- */
+/** Symmetric compositions exp(a₁A) exp(b₁B) exp(a₂A) … exp(a₁A). Coefficients are listed from the ends to the middle,
+ * each once. */
 struct Strang {
   static constexpr int kOrder = 2;
   static constexpr std::array<double, 1> kA = {0.5};

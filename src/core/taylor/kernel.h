@@ -36,8 +36,8 @@ struct Increment {
   double attitude[4], omega[3], slug_omega[3];
 };
 
-/** The truncation error of a step, relative to the state or its change, the worst of all series. NaN where a term is.
- */
+/** The truncation error of a step, relative to the state or its change: the worst of all series. NaN where a term is
+ * NaN. */
 struct LeftOut {
   double last_terms;  ///< the larger of the last two terms
   double error;       ///< the sum of all later terms, if they fall as the last four did; may be infinite

@@ -4,8 +4,7 @@
 
 namespace poinsot::view {
 
-/** Returns the semi-axes of the energy ellipsoid ΩᵀMΩ = 2E: √(2E/μᵢ) [rad/s], principal axes in the order of `moments`
- * [kg·m²]. */
+/** Returns the semi-axes of the energy ellipsoid ΩᵀMΩ = 2E: √(2E/μᵢ) [rad/s], in the order of `moments` [kg·m²]. */
 Eigen::Vector3d energySemiAxes(const Eigen::Vector3d& moments, double kinetic_energy);
 
 /** Returns the semi-axes of the momentum ellipsoid ΩᵀM²Ω = F: √F/μᵢ [rad/s]; F = |L|² [(kg·m²/s)²]. */
