@@ -18,7 +18,7 @@ std::string withSlash(const std::string& topic) {
   return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
 }
 
-/** "/a/wingnut" of "/a/wingnut/state"; a topic that was renamed stands for itself. */
+/** Returns "/a/wingnut" for "/a/wingnut/state"; a topic with another name is its own key. */
 std::string keyOf(const std::string& topic, const char* name) {
   const std::string absolute = withSlash(topic);
   return endsWith(absolute, std::string("/") + name) ? parentOf(absolute) : absolute;
@@ -58,9 +58,7 @@ void Audit::add(const nav_msgs::Odometry& message, const std::string& topic) {
 void Audit::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (const geometry_msgs::TransformStamped& t : message.transforms) {
     if (!is_static && isRepeated(t, "tf")) continue;
-    const std::string& child = t.child_frame_id;
-    transforms_.add(!child.empty() && child[0] == '/' ? child.substr(1) : child, stampOf(t.header.stamp), read(t),
-                    is_static);
+    transforms_.add(frameName(t.child_frame_id), stampOf(t.header.stamp), read(t), is_static);
   }
 }
 
@@ -68,7 +66,7 @@ void Audit::add(const visualization_msgs::MarkerArray& message, const std::strin
   std::vector<Drawing>& drawings = drawings_[parentOf(withSlash(topic))];
   for (const visualization_msgs::Marker& marker : message.markers) {
     if (marker.action != visualization_msgs::Marker::ADD) continue;
-    // What does not change is sent whole, again and again: one copy will do.
+    // Markers that do not change are sent again for each new viewer: one copy is enough.
     if (marker.header.stamp.isZero() && isRepeated(marker, topic)) continue;
     drawings.push_back(read(marker));
   }
@@ -76,7 +74,7 @@ void Audit::add(const visualization_msgs::MarkerArray& message, const std::strin
 
 std::map<std::string, Body> Audit::bodies() const {
   std::map<std::string, Body> bodies = states_;
-  // The body of that key, or else the only one that answers to `matches`; or nullptr.
+  // Returns the body of that key, or else the only one whose name matches; or nullptr.
   const auto find = [&bodies](const std::string& key, const auto& matches) -> Body* {
     if (const auto known = bodies.find(key); known != bodies.end()) return &known->second;
     Body* found = nullptr;
@@ -124,7 +122,7 @@ std::string Audit::frameOf(const Body& body) const {
   std::int64_t best_score = -1;
   for (const auto& [frame, track] : transforms_.moving()) {
     if (!endsWith(frame, body.name)) continue;
-    // Of two nodes' frames, the one that turns as this body does, or else is sent when its states are.
+    // Of frames of several nodes, choose the one that turns as this body does, or else has its states' stamps.
     std::int64_t score = 0;
     for (const State& state : body.states) {
       const Transform* found = track.at(state.stamp, state.attitude);
@@ -153,7 +151,7 @@ Report Audit::report() const {
     judgeForm(evidence, report.checks);
     judgeAgreement(evidence, report.checks);
     judgeDescription(evidence, report.checks);
-    // Without inertia nothing about motion and energy can be judged; judgeDescription has said so.
+    // Without inertia, motion and energy cannot be judged; judgeDescription has reported that.
     if (body.descriptions.empty()) continue;
     judgeState(evidence, report.checks);
     judgeMotion(evidence, report.checks);

@@ -14,17 +14,17 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kSameAttitude = 1e-15;  // rad: of the closed form against itself
 constexpr double kUnknown = 1e-3;        // of the turn
 
-// Free bodies: how much an order allows, several times what random bodies show, so that no working method fails.
+// Free bodies: C for each order, several times the errors of random bodies, so that no working method fails.
 constexpr double kNotMeasured = 0.2, kFreeStep = 0.6;
 
 // Bodies under torques.
-constexpr double kStep = 2;         // C of C r^(p+1), r as in pace()
-constexpr double kFree8 = 1e-6;     // of aba84's free motion
-constexpr double kSafety = 4;       // on what a Taylor series leaves out
-constexpr double kHalvedAt = 1e-2;  // Taylor methods halve steps whose last two terms are larger
-constexpr int kMostLooks = 500;     // at a motion's Taylor series
-constexpr double kTooCoarse = 1e-2;
-constexpr double kAccuracy = 4;  // of an accuracy that was asked for
+constexpr double kStep = 2;          // C of the error C r^(p+1) of a step, r as in pace()
+constexpr double kFree8 = 1e-6;      // the same for the free motion in aba84
+constexpr double kSafety = 4;        // factor on the remainder of a Taylor series
+constexpr double kHalvedAt = 1e-2;   // Taylor methods halve steps whose last two terms are larger
+constexpr int kMostLooks = 500;      // states of a motion whose Taylor series is worked out
+constexpr double kTooCoarse = 1e-2;  // error of a step above which the accuracy of the description is the bound
+constexpr double kAccuracy = 4;      // factor on that accuracy
 
 constexpr FreeMethod kMethods[] = {
     {"closed_form", 0, true, true, 0},
@@ -46,21 +46,21 @@ constexpr FreeMethod kMethods[] = {
     {"dmv10", 10, true, true, 0},
 };
 
-/** The order in "taylor16", or 0. */
+/** Returns the order in "taylor16", or 0. */
 int taylorOrder(const std::string& method) {
   if (method.compare(0, 6, "taylor") != 0) return 0;
   const int order = std::atoi(method.c_str() + 6);
   return order >= 2 && order <= 24 ? order : 0;
 }
 
-/** What a Taylor step leaves out: the next two terms, and the geometric series behind them. */
+/** Returns a bound of the remainder of a Taylor step: its next two terms, and the geometric series behind them. */
 double remainder(const std::vector<double>& terms, int order, double shrink) {
   const double a = terms[order + 1] * std::pow(shrink, order + 1), b = terms[order + 2] * std::pow(shrink, order + 2);
   const double ratio = std::max(std::pow(a, 1.0 / (order + 1)), std::pow(b, 1.0 / (order + 2)));
   return kSafety * (a + b) / (1 - std::min(ratio, 0.9));
 }
 
-/** How far a motion goes in a step, as all its derivatives see it: max (|aₖ|hᵏ)^(1/k), k ≥ 1. */
+/** Returns how far a motion goes in a step, by all its derivatives: max (|aₖ|hᵏ)^(1/k), k ≥ 1. */
 double pace(const std::vector<double>& terms) {
   double r = 0;
   for (std::size_t k = 1; k < terms.size(); ++k) r = std::max(r, std::pow(terms[k], 1.0 / static_cast<double>(k)));
@@ -91,7 +91,7 @@ Bounds::Bounds(const Description& description, const RigidBody& body, const std:
       free_ ? exact() || (row_.order > 0 && has_step)
             : has_step && (taylorOrder(method_) > 0 || method_ == "rk4" || method_ == "buss2" || method_ == "aba84");
   if (!listed) {
-    unknown_ = "method \"" + method_ + "\" is not known here";
+    unknown_ = "method \"" + method_ + "\" is unknown here";
     return;
   }
   taken_ = step_;
@@ -107,7 +107,7 @@ Bounds::Bounds(const Description& description, const RigidBody& body, const std:
   }
 }
 
-/** What a step from there leaves out; notes how far the method halves it. */
+/** Returns the error of a step from a phase; notes in taken_ how far a Taylor method halves the step. */
 double Bounds::ofOneStep(const RigidBody& body, double t, const Phase& p) {
   const int taylor = taylorOrder(method_);
   const int order = taylor > 0 ? taylor : method_ == "buss2" ? 2 : method_ == "rk4" ? 4 : 8;
@@ -139,7 +139,7 @@ double Bounds::stepsIn(double duration) const {
 
 double Bounds::rounding(double duration) const {
   const double steps = stepsIn(duration);
-  // A random walk, and the part of a step's rounding that always points the same way.
+  // A random walk, and a part of the rounding of a step that always has the same sign.
   return 1e-15 * std::sqrt(steps) + 5e-17 * steps;
 }
 
@@ -153,7 +153,7 @@ double Bounds::ofFreeMotion(const Eigen::Vector3d& omega, double duration, doubl
   const double w = inertia_.fastestRate(omega), turn = w * std::abs(duration);
   const double parting = std::exp(std::min(50.0, inertia_.partingRate(omega) * std::abs(duration)));
   const double steps = exact() ? 0 : kFreeStep * std::pow(w * step_, row_.order) * (turn + 2 * w * step_);
-  // t itself is rounded, and the phase that belongs to it.
+  // The rounding of t, too, turns the body.
   return parting * (2e-14 + rounding(duration) + 1e-15 * w * std::abs(t) + steps);
 }
 
@@ -176,7 +176,7 @@ double Bounds::drift(double t, double speed) const {
 double Bounds::attitude(const State& s) const {
   if (exact()) return kSameAttitude;
   if (!unknown_.empty()) return kPi;
-  // From the start, where it is exact; an error of the rate, once made, adds up.
+  // The error is 0 at the start; one of the rate adds up from then on.
   const double turn = inertia_.fastestRate(s.omega_body) * std::abs(s.time);
   return std::min(kPi, ofFreeMotion(s.omega_body, s.time, s.time) * (1 + turn) + 4 * kSameAttitude);
 }

@@ -8,7 +8,7 @@
 
 namespace poinsot::audit {
 
-/** Where a state says that its body is; σ of a slug as it shows it: (RᵀL − MΩ)/J. */
+/** Returns the phase of the body in a state; σ of a slug follows from momentum_world: (RᵀL − MΩ)/J. */
 Phase phaseOf(const RigidBody& body, const State& s);
 
 /** A row of the audit's table of methods for free bodies. */
@@ -16,43 +16,44 @@ struct FreeMethod {
   const char* name = "";
   int order = -1;  ///< 0: exact; -1: not known
   bool keeps_momentum = false, keeps_energy = false;
-  double constant = 0;  ///< C, of what it does not keep
+  double constant = 0;  ///< C in the bound of what it does not keep
 };
 
 /**
- * What the method and the step that a description names allow a motion to be off by. For free bodies that follows from
- * a table of methods of the audit's own: h is the step, p the order, w the fastest rate at the body's |L|. For bodies
- * under torques it follows from the Taylor series of the motion. doc/audit.md has the formulas.
+ * Bounds of the errors that a motion may have under the method and step of its description. For free bodies they follow
+ * from the audit's own table of methods: h is the step, p the order, w the fastest rate at the body's |L|. For bodies
+ * under torques they follow from the Taylor series of the motion. doc/audit.md has the formulas.
  */
 class Bounds {
  public:
-  /** @param states of the motion: what a step does to a driven one depends on where it is. */
+  /** @param states of the motion: under torques, the error of a step differs between them. */
   Bounds(const Description& description, const RigidBody& body, const std::vector<const State*>& states);
 
-  /** Why the method is held to no bound of its own; empty where it is. */
+  /** Returns why there is no bound for this method; empty where there is one. */
   const std::string& unknown() const { return unknown_; }
   bool exact() const { return row_.order == 0; }  ///< the closed form
   const std::string& method() const { return method_; }
-  /** "method rk4 at step 0.001 s" */
+  /** Returns "method rk4 at step 0.001 s". */
   std::string methodAndStep() const;
 
   /**
-   * What the method may do to a motion of that duration that begins with `a`: to the attitude [rad], to Ω and σ
-   * relative to the speed [rad/s]. For a body under torques, how that grows meanwhile comes on top.
+   * Returns the error that the method may make in a motion of that duration from `a` on: of the attitude [rad], and of
+   * Ω and σ relative to the speed [rad/s]. For a body under torques, the growth of such errors comes on top.
    */
   double allowed(const State& a, double speed, double duration) const;
 
-  /** What E and L of a free body may be off by in a state, relatively. Infinite for an unknown method. */
+  /** Return the relative errors that E and L of a free body may have in a state; infinite for an unknown method. */
   double energy(const State& s) const { return kept(inertia_.conditionOfEnergy(s.omega_body), row_.keeps_energy, s); }
   double momentum(const State& s) const {
     return kept(inertia_.conditionOfMomentum(s.omega_body), row_.keeps_momentum, s);
   }
-  /** Of the attitude of a free body against its true motion [rad], at most π. */
+  /** Returns the error that the attitude of a free body may have [rad], at most π. */
   double attitude(const State& s) const;
-  /** Of what is constant in a true motion under torques, at time t from t = 0, in the measure of `allowed`. */
+  /** Returns the bound at t of the change since t = 0 of a constant of the motion under torques, in the measure of
+   * allowed(). */
   double drift(double t, double speed) const;
 
-  /** What the steps within a duration are rounded by, relatively. */
+  /** Returns the relative rounding error of the steps within a duration. */
   double rounding(double duration) const;
 
  private:
@@ -65,10 +66,11 @@ class Bounds {
   Inertia inertia_;
   bool free_;
   std::string method_, unknown_;
-  double step_, taken_ = 0;  ///< as named; as taken, where Taylor methods halve it
-  double accuracy_;          ///< asked for [rad]
+  double step_;       ///< of the description [s]
+  double taken_ = 0;  ///< the shortest step that a Taylor method takes instead, else step_ [s]
+  double accuracy_;   ///< of the description [rad]
   FreeMethod row_;
-  double local_ = 0;  ///< what one step under torques may do
+  double local_ = 0;  ///< the largest error of one step under torques
 };
 
 }  // namespace poinsot::audit

@@ -9,9 +9,8 @@ namespace {
 constexpr double kAngle = 1e-12;  // rad: the same numbers were sent twice
 
 /**
- * Pairs each state with the message of equal stamp whose attitude is nearest; counts those that are missing. A state
- * may do without where it lies before the first or after the last message of the partner's topic, near an end of the
- * recording.
+ * Pairs each state with the message of equal stamp whose attitude is nearest, and fails where too many have none. A
+ * state needs none before the first or after the last message of that topic, near an end of the recording.
  */
 template <class Message, class Compare>
 void pairUp(const Evidence& evidence, const Track<Message>& track, const std::string& what, Judge& judge,
@@ -73,7 +72,7 @@ void judgeTf(const Evidence& evidence, std::vector<Check>& checks) {
   });
   checks.push_back(judge.verdict());
 
-  // The turning frame of the picture comes with the picture.
+  // The picture's own turning frame is published only together with the picture.
   const std::string frame = body.frame + "_space_body";
   const auto* picture = evidence.transforms.moving(frame);
   if (!picture) return;

@@ -8,6 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/** Returns in words which limit a drift exceeds: `allowed` by the method, or the ceiling for all methods. */
 std::string tooMuch(const std::string& what, double figure, double allowed, double ceiling, const Bounds& bounds,
                     double span) {
   const std::string drift = text("%s by %.3g in %.6g s", what.c_str(), figure, span), method = bounds.methodAndStep();
@@ -18,7 +19,7 @@ std::string tooMuch(const std::string& what, double figure, double allowed, doub
          (figure > ceiling ? text(" and more than ground truth may (%g)", ceiling) : "");
 }
 
-/** Of a free body: E and L from attitude, omega_body and the tensor; no other field is believed. */
+/** Returns E and L of a free body, worked out from attitude, omega_body and the tensor, not taken from other fields. */
 std::vector<Constant> constantsOfFreeBody(const Segment& segment) {
   const RigidBody& body = *segment.body;
   const auto energy = [&](const State& s) { return Vector3d(body.energy(segment.phase(s)), 0, 0); };
@@ -71,12 +72,12 @@ void judgeConstants(const Evidence& evidence, std::vector<Check>& checks) {
     if (!free && segment.body->effects().onlyDissipates()) judgeFall(segment, ceiling, judgeOf("E never rises"));
   }
   for (auto& [name, judge] : judges) {
-    if (unknown) judge.note(text("the method is not known here: only the ceiling of %g was asked", ceiling));
+    if (unknown) judge.note(text("the method is unknown here: drifts were held to the ceiling of %g only", ceiling));
     checks.push_back(judge.verdict());
   }
 }
 
-/** How far from the closed form the messages say they are: nowhere further than the method allows; NaN says nothing. */
+/** Checks that attitude_error is nowhere larger than the method allows; NaN stands for no figure. */
 void judgeAttitudeError(const Evidence& evidence, std::vector<Check>& checks) {
   Judge judge("attitude_error", evidence.body.key, "rad");
   for (const Segment& segment : evidence.segments) {
@@ -86,13 +87,14 @@ void judgeAttitudeError(const Evidence& evidence, std::vector<Check>& checks) {
       const double at = seconds(s->stamp), error = s->attitude_error;
       if (!free) {
         judge.compare(std::isnan(error) ? 0 : 1, 0, at, [error] {
-          return text("attitude_error says %.3g rad, but under torques there is no closed form: NaN is wanted", error);
+          return text("attitude_error: expected NaN under torques, without a closed form, got %.3g rad", error);
         });
       } else if (std::isnan(error)) {
         judge.compare(bounds.exact() ? 1 : 0, 0, at,
                       [] { return "attitude_error is NaN under the closed form itself"; });
       } else if (error < 0) {
-        judge.compare(-error, 0, at, [] { return "attitude_error is an angle, and negative"; });
+        judge.compare(-error, 0, at,
+                      [error] { return text("attitude_error: expected at least 0, got %.3g rad", error); });
       } else {
         const double allowed = bounds.attitude(*s);
         judge.compare(error, allowed, at, [&] {
@@ -117,7 +119,7 @@ void judgeDriftFields(const Evidence& evidence, std::vector<Check>& checks) {
       judge.compare(std::abs(first.energy_drift) + first.momentum_drift, 1e-14, at0,
                     [] { return "a segment's first message has a drift that is not zero"; });
     }
-    // Recorded from its middle, a segment shows only differences: E_start is then E_first/(1 + drift_first).
+    // Of a segment that was recorded from its middle only differences are known: E_start is E_first/(1 + drift_first).
     const bool from_start = first.energy_drift == 0 && first.momentum_drift == 0;
     const double e_offset = first.energy_drift, l_offset = first.momentum_drift;
     if (!(e0 > 0) || !(l0.norm() > 0) || !std::isfinite(e_offset) || !std::isfinite(l_offset)) continue;
@@ -136,7 +138,7 @@ void judgeDriftFields(const Evidence& evidence, std::vector<Check>& checks) {
           return text("momentum_drift says %.6g, the momenta of the messages %.6g", s->momentum_drift, moved);
         });
       } else {
-        // Of two distances from an unknown start only the triangle's inequality is known; |L_start| to within l_offset.
+        // L at the start is unknown, and |L| there known to l_offset: only the triangle inequality can be checked.
         const double moved_most = moved * (1 + l_offset);
         judge.compare(std::max(0.0, std::abs(s->momentum_drift - l_offset) - moved_most), l_rounding, at, [&] {
           return text("momentum_drift changes by %.6g, the momenta of the messages only by %.6g",
@@ -145,9 +147,8 @@ void judgeDriftFields(const Evidence& evidence, std::vector<Check>& checks) {
       }
     }
   }
-  judge.ifNothing("the body is at rest: drift is relative to nothing");
+  judge.ifNothing("the body is at rest, so that it has no relative drift");
   Check check = judge.verdict();
-  // At rest there is no drift to be wrong about.
   if (check.count == 0 && !evidence.segments.empty()) check.passed = true;
   checks.push_back(check);
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double kUnit = 1e-12;    // of a quaternion's norm
 constexpr double kFields = 1e-14;  // of fields that follow from others of the same message
 
-/** Of the body's own frame and of that of the picture, as far as they came. */
+/** Returns the transforms of the body's own frame and of that of its picture, where any were received. */
 std::vector<std::pair<std::string, const Track<Transform>*>> framesOf(const Evidence& evidence) {
   std::vector<std::pair<std::string, const Track<Transform>*>> out;
   if (!evidence.options.tf || evidence.body.frame.empty()) return out;
@@ -27,7 +27,7 @@ void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
     finite.compare(pose.flaw.empty() ? 0 : 1, 0, seconds(stamp), [&] { return where + ": " + pose.flaw; });
     if (!q.coeffs().allFinite()) return;
     unit.compare(std::abs(1 - q.norm()), kUnit, seconds(stamp),
-                 [&] { return text("%s: the quaternion's norm is %.12g", where.c_str(), q.norm()); });
+                 [&] { return text("%s: expected a unit quaternion, got the norm %.12g", where.c_str(), q.norm()); });
   };
   for (const State& s : body.states) look(s.stamp, s, "state");
   if (evidence.options.odometry) {
@@ -43,11 +43,11 @@ void judgeNumbers(const Evidence& evidence, std::vector<Check>& checks) {
 void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   Judge stamps("stamps never decrease", body.key), segments("segments never decrease", body.key);
-  // Where a clock jumps back a new segment begins; in the other topics the same is to be seen, at most so often.
+  // A new segment begins where the clock jumps back; stamps of the other topics may go back as often, but no more.
   for (std::size_t i = 0; i < body.states.size(); ++i) {
     const State &a = body.states[i > 0 ? i - 1 : 0], &b = body.states[i];
     stamps.compare(b.stamp < a.stamp && b.segment <= a.segment ? 1 : 0, 0, seconds(b.stamp), [&] {
-      return text("a state's stamp lies %.6f s before that of the state before it", seconds(a.stamp - b.stamp));
+      return text("a state's stamp lies %.6f s before that of the previous state", seconds(a.stamp - b.stamp));
     });
     segments.compare(b.segment < a.segment ? 1 : 0, 0, seconds(b.stamp),
                      [&] { return text("segment %u comes after segment %u", b.segment, a.segment); });
@@ -56,7 +56,7 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
     if (body.repeats || body.listed || backwards <= body.jumps) return;
     stamps.fail(
         0,
-        text("%s: %lld stamps lie before the one before", what.c_str(), static_cast<long long>(backwards)) +
+        text("%s: %lld stamps lie before the previous one", what.c_str(), static_cast<long long>(backwards)) +
             (body.jumps > 0 ? text(", and the clock jumped back %lld times", static_cast<long long>(body.jumps)) : ""));
   };
   if (evidence.options.odometry) compare("odometry", body.odometry.backwards);
@@ -65,7 +65,7 @@ void judgeOrder(const Evidence& evidence, std::vector<Check>& checks) {
   checks.push_back(segments.verdict());
 }
 
-/** Effects that can be read, and a method for such a body. */
+/** Asks whether all effects can be read, and whether the method is one for such a body. */
 void judgeEffects(const Evidence& evidence, std::vector<Check>& checks) {
   Judge judge("effects", evidence.body.key);
   for (const Description& d : evidence.body.descriptions) {
@@ -73,9 +73,9 @@ void judgeEffects(const Evidence& evidence, std::vector<Check>& checks) {
     judge.compare(d.forces.problem.empty() ? 0 : 1, 0, at, [&] { return d.forces.problem; });
     const bool needs_torques = d.method.rfind("taylor", 0) == 0 || d.method == "aba84";
     judge.compare(d.isFree() && needs_torques ? 1 : 0, 0, at,
-                  [&] { return "method " + d.method + " moves bodies under torques, and the description names none"; });
+                  [&] { return "method " + d.method + " needs torques, but the description names none"; });
     judge.compare(!d.isFree() && d.method == "closed_form" ? 1 : 0, 0, at,
-                  [] { return "the closed form is a free body's motion, and the description names torques"; });
+                  [] { return "closed_form moves only free bodies, but the description names torques"; });
   }
   checks.push_back(judge.verdict());
 }
@@ -93,7 +93,7 @@ void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
   for (const Description& d : evidence.body.descriptions) {
     const double at = seconds(d.stamp), largest = d.tensor.cwiseAbs().maxCoeff();
     if (!d.tensor.allFinite() || !(largest > 0)) {
-      judge.compare(1, 0, at, [] { return "inertia_tensor is not finite, or zero"; });
+      judge.compare(1, 0, at, [] { return "inertia_tensor: expected finite entries, not all of them 0"; });
       continue;
     }
     judge.compare((d.tensor - d.tensor.transpose()).cwiseAbs().maxCoeff() / largest, 1e-12, at,
@@ -108,7 +108,7 @@ void judgeDescription(const Evidence& evidence, std::vector<Check>& checks) {
              (inverse ? " (principal_axes looks like the inverse rotation)" : "");
     });
     judge.compare(Inertia(d.tensor).moments[0] > 0 ? 0 : 1, 0, at,
-                  [] { return "inertia_tensor has a moment that is not positive"; });
+                  [] { return "inertia_tensor: expected positive principal moments"; });
   }
   checks.push_back(judge.verdict());
   if (!evidence.body.descriptions.empty()) judgeEffects(evidence, checks);
@@ -123,7 +123,7 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
     const double at = seconds(s.stamp), rate = s.omega_body.norm();
     const Eigen::Vector3d l = s.attitude * (inertia.tensor * s.omega_body);
     const double e = inertia.energy(s.omega_body);
-    // A body at rest leaves nothing to be relative to.
+    // Errors are relative, but not those of a body at rest.
     const double omega_scale = rate > 0 ? rate : 1, l_scale = rate > 0 ? l.norm() : inertia.moments[2];
     const double e_scale = rate > 0 ? e : inertia.moments[2];
     omega.compare((s.omega_world - s.attitude * s.omega_body).norm() / omega_scale, kFields, at, [&] {
@@ -133,7 +133,7 @@ void judgeState(const Evidence& evidence, std::vector<Check>& checks) {
                                                                : inverse ? " (R looks inverted)"
                                                                          : "");
     });
-    // With a slug inside it is that of both: judgeSlugsStart and dL/dt ask for it.
+    // With a slug inside, momentum_world is that of both, which judgeSlugsStart and dL/dt check.
     if (!segment.body->effects().slug)
       momentum.compare(
           (s.momentum_world - l).norm() / l_scale, kFields * inertia.conditionOfMomentum(s.omega_body), at, [&] {

@@ -10,10 +10,10 @@
 namespace poinsot::audit {
 namespace {
 
-constexpr double kDrawn = 1e-9;  // relative: doubles all the way, squared and added
+constexpr double kDrawn = 1e-9;  // relative: rounding of doubles that are squared and added
 constexpr double kPolhode = 1e-6;
-constexpr double kTooSmall = 0.01;  // m: ellipsoids of a body that nearly rests need not be there
-constexpr double kMostLift = 1.05;  // of a polhode above the surface it would otherwise sink into
+constexpr double kTooSmall = 0.01;  // m: ellipsoids of a body that is nearly at rest may be left out
+constexpr double kMostLift = 1.05;  // by which a polhode may be enlarged so that it does not sink into the surface
 
 std::string triple(const Eigen::Vector3d& v) {
   return text("(%.6g, %.6g, %.6g)", v.x(), v.y(), v.z());
@@ -31,9 +31,9 @@ std::vector<const Drawing*> drawingsOf(const Body& body, const std::string& what
 struct Ellipsoid {
   Eigen::Isometry3d axes;  ///< of the ellipsoid → of the picture
   Eigen::Vector3d semi;    ///< [m]
-  bool is_sphere;          ///< what a marker of an ellipsoid is
+  bool is_sphere;          ///< whether it is a SPHERE marker
 
-  /** Σ(xᵢ/aᵢ)²: 1 on the surface. */
+  /** Returns Σ(xᵢ/aᵢ)²: 1 on the surface. */
   double valueAt(const Eigen::Vector3d& point) const {
     return (axes.inverse(Eigen::Isometry) * point).cwiseQuotient(semi).squaredNorm();
   }
@@ -43,24 +43,24 @@ struct Ellipsoid {
 enum Shows { kEnergy, kMomentum };
 constexpr const char* kNames[] = {"energy", "momentum"};
 
-/** A state that can be used, and what is known of the body then. */
+/** A state that can be used, and its segment. */
 struct Known {
   const State* state;
   const Segment* segment;
 
   const Inertia& inertia() const { return segment->body->inertia(); }
-  /** Metres per rad/s. */
+  /** Returns the scale of the picture [m/(rad/s)]. */
   double scale() const { return segment->description->metres_per_radian_per_second; }
-  /** How large |L| is drawn, before it is divided by a moment. */
+  /** Returns scale()·|L|, which divided by a moment is a semi-axis of the momentum ellipsoid. */
   double drawnMomentum() const { return scale() * (inertia().tensor * state->omega_body).norm(); }
 
-  /** √(2E/μ) or |L|/μ along the ellipsoid's own axes [m]. */
+  /** Returns √(2E/μ) or |L|/μ along the ellipsoid's own axes, as drawn [m]. */
   Eigen::Vector3d semiAxes(Shows shows, const Eigen::Matrix3d& axes) const {
     const Eigen::Vector3d mu = (axes.transpose() * inertia().tensor * axes).diagonal();
     if (shows == kMomentum) return drawnMomentum() * mu.cwiseInverse();
     return scale() * (2 * inertia().energy(state->omega_body) / mu.array()).sqrt();
   }
-  /** How far the ellipsoid's axes are from principal ones. */
+  /** Returns how far axes are from principal ones: the largest product of inertia, relative to the largest moment. */
   double skew(const Eigen::Matrix3d& axes) const {
     Eigen::Matrix3d m = axes.transpose() * inertia().tensor * axes;
     m.diagonal().setZero();
@@ -69,7 +69,7 @@ struct Known {
   double condition() const { return inertia().moments[2] / inertia().moments[0]; }
 };
 
-/** That with the smallest figure; the end where there is none. */
+/** Returns the ellipsoid with the smallest figure; the end where there is none. */
 template <class Figure>
 std::vector<Ellipsoid>::const_iterator nearest(const std::vector<Ellipsoid>& all, const Figure& figure) {
   return std::min_element(all.begin(), all.end(),
@@ -87,8 +87,8 @@ std::string wrongSize(Shows shows, const Ellipsoid& drawn, const Known& known) {
                     (energy ? "sqrt(2E/mu) = " : "|L|/mu = ") + triple(wanted) + " m";
   if (known.skew(axes) > 1e-6) return out + "; its axes are not the principal axes";
   if (are(0.5 * wanted))
-    return out + ": half of it, so scale was given as a radius where a SPHERE marker takes a diameter";
-  if (are(2 * wanted)) return out + ": twice of it";
+    return out + ": they are half of that, so scale was given as a radius where a SPHERE marker takes a diameter";
+  if (are(2 * wanted)) return out + ": they are twice that";
   if (energy && are(std::sqrt(0.5) * wanted)) return out + ": they are sqrt(E/mu)";
   const Eigen::Vector3d mu = (axes.transpose() * known.inertia().tensor * axes).diagonal();
   if (!energy && are(known.drawnMomentum() * mu.cwiseSqrt().cwiseInverse())) out += ": they are sqrt(F/mu)";
@@ -134,8 +134,8 @@ class Picture {
   using Moving = std::multimap<Stamp, const Drawing*>;
 
   /**
-   * The ellipsoids that hold at a stamp, as far as they can be placed in a frame: those sent with it, else those that
-   * do not change; under torques all do.
+   * Returns the ellipsoids that are shown at a stamp, as far as they can be placed in a frame: those sent with that
+   * stamp, else, for a free body, those that do not change.
    */
   std::vector<Ellipsoid> at(Stamp stamp, Shows shows, const std::string& frame) const {
     const auto [begin, end] = moving_[shows].equal_range(stamp);
@@ -153,16 +153,17 @@ class Picture {
 
   std::string label(const std::string& what) const { return what + " (" + name_ + ")"; }
 
-  /** What the method allows the motion to have left the ellipsoids by, relatively, of E or |L|². */
+  /** Returns the relative drift of E or |L|² that the method is allowed, by which the motion may leave
+   * the ellipsoids. */
   double allowed(Shows shows, const Known& known) const {
-    if (!free_) return 0;  // drawn from the state itself, ever anew
+    if (!free_) return 0;  // drawn anew from each state
     const Bounds& bounds = known.segment->bounds;
     const double drift = shows == kEnergy ? bounds.energy(*known.state) : 2 * bounds.momentum(*known.state);
-    // Unknown, or so coarse that another check reports it: what that other check lets pass may pass here.
+    // Where the method is unknown or too coarse, judgeConstants() holds the drift to this ceiling.
     return std::isfinite(drift) ? drift : 2 * evidence_.options.drift;
   }
 
-  /** Ellipsoids that do not change show t = 0: of a free body only. Where several were sent, the one that fits best. */
+  /** Compares the ellipsoids with each state; where several were sent, the one that fits best. */
   void judgeSemiAxes(Shows shows, std::vector<Check>& checks) {
     const std::string what = kNames[shows];
     Judge judge(label(what + " ellipsoid"), body_.key);
@@ -170,7 +171,7 @@ class Picture {
     const Moving& moving = moving_[shows];
     std::int64_t missing = 0;
     if (!free_ && !fixed_[shows].empty()) {
-      judge.fail(0, "an ellipsoid that does not change, of a body whose energy and momentum do");
+      judge.fail(0, "an ellipsoid does not change although the body's energy and momentum do");
     }
     for (const auto& [stamp, known] : states_) {
       const double rate = known.inertia().fastestRate(known.state->omega_body), at_stamp = seconds(stamp);
@@ -189,15 +190,15 @@ class Picture {
       if (best == drawn_ones.end()) continue;
       judge.compare(off(*best), kDrawn + 1e-15 * known.condition() + allowed(shows, known), at_stamp,
                     [&, known = known] { return wrongSize(shows, *best, known); });
-      if (!best->is_sphere) judge.fail(at_stamp, "the ellipsoid is no SPHERE marker");
+      if (!best->is_sphere) judge.fail(at_stamp, "the ellipsoid is not a SPHERE marker");
     }
     if (!free_ && static_cast<double>(missing) > evidence_.options.losses * static_cast<double>(body_.states.size())) {
-      judge.fail(0, text("%lld states in between have no ellipsoid", static_cast<long long>(missing)));
+      judge.fail(0, text("%lld states between others have no ellipsoid", static_cast<long long>(missing)));
     }
     checks.push_back(judge.verdict());
   }
 
-  /** Of the states at a stamp, of which there may be several, that whose Ω is nearest to what is drawn; or nullptr. */
+  /** Returns, of the states at a stamp, the one whose Ω is nearest to the drawn one; or nullptr. */
   const Known* stateAt(Stamp stamp, const Eigen::Vector3d& drawn, bool world) const {
     const auto [begin, end] = states_.equal_range(stamp);
     const auto off = [&](const Known& k) {
@@ -214,7 +215,7 @@ class Picture {
     for (Judge* judge : {&drawn, &on}) judge->ifNothing("no " + name_ + "/omega marker at the stamp of a state");
     std::int64_t unplaced = 0;
     std::string unplaced_why;
-    // Where a clock jumped back, a stamp may have states that were recorded and others that were not.
+    // Where a clock jumped back, a stamp may belong to several states, some of which were not recorded.
     std::map<Stamp, std::int64_t> stateless;
     for (const Drawing* d : omega_) stateless[d->stamp] += body_.jumps > 0;
     for (const auto& [stamp, known] : states_) --stateless[stamp];
@@ -274,7 +275,7 @@ class Picture {
       }
     }
     const double share = evidence_.options.losses * static_cast<double>(on.count() + unplaced);
-    // Where the recording of tf begins or ends is another check's business: a few at the ends may have none.
+    // Markers before the first or after the last tf may lack it; "tf = state" judges where the recording of tf ends.
     if (on.count() == 0 && unplaced > 0) {
       on.ifNothing(unplaced_why);
     } else if (static_cast<double>(unplaced) > share && unplacedInside()) {
@@ -284,7 +285,7 @@ class Picture {
     checks.push_back(on.verdict());
   }
 
-  /** Whether a marker lacks its tf although tf was received before and after it. */
+  /** Returns whether a marker lacks its tf although tf was received before and after it. */
   bool unplacedInside() const {
     if (name_ != "space" || omega_.empty()) return true;
     const Track<Transform>* turning = evidence_.transforms.moving(frame_);
@@ -303,10 +304,10 @@ class Picture {
       const bool points =
           d->type == visualization_msgs::Marker::SPHERE_LIST || d->type == visualization_msgs::Marker::POINTS;
       if (!(line && d->points.size() >= 2) && !(points && !d->points.empty())) {
-        judge.fail(seconds(d->stamp), "the polhode is no line of two points or more, and no list of points");
+        judge.fail(seconds(d->stamp), "polhode: expected a line of at least two points, or a list of points");
         continue;
       }
-      // Of several pairs of ellipsoids that were drawn in turn, the one on which it lies best.
+      // Several pairs of ellipsoids may have been drawn in turn: the polhode belongs to the pair on which it lies best.
       double best = std::numeric_limits<double>::infinity(), best_lift = 0;
       const Eigen::Isometry3d pose = Eigen::Translation3d(d->position) * d->orientation;
       for (const Ellipsoid& energy : at(d->stamp, kEnergy, d->frame_id)) {
@@ -329,7 +330,7 @@ class Picture {
                     best_lift);
       });
       judge.compare(std::max(best_lift - kMostLift, 1 - best_lift), kPolhode, seconds(d->stamp), [&] {
-        return text("the polhode is drawn at %.4f times its size (1 to %g is lift)", best_lift, kMostLift);
+        return text("the polhode is drawn at %.4f times its size; expected 1 to %g", best_lift, kMostLift);
       });
     }
     checks.push_back(judge.verdict());
@@ -356,18 +357,19 @@ void judgeMarkerForm(const Body& body, bool moves, std::vector<Check>& checks) {
     const double at = seconds(d.stamp);
     form.compare(d.flaw.empty() ? 0 : 1, 0, at, [&] { return d.name_space + ": " + d.flaw; });
     const double norm = d.flaw.empty() ? d.orientation_as_sent.norm() : 1;
-    form.compare(std::abs(1 - norm), 1e-12, at,
-                 [&] { return text("%s: the quaternion's norm is %.12g", d.name_space.c_str(), norm); });
+    form.compare(std::abs(1 - norm), 1e-12, at, [&] {
+      return text("%s: expected a unit quaternion, got the norm %.12g", d.name_space.c_str(), norm);
+    });
     if (d.stamp == 0 || d.stamp < of_states.begin()->first || d.stamp > of_states.rbegin()->first) continue;
     const double off = std::abs(toNearest(of_states, d.stamp));
     stamps.compare(off, 0, at,
-                   [&] { return text("no state has a marker's stamp; the nearest is %.1f ms off", 1e3 * off); });
+                   [&] { return text("a marker's stamp is that of no state; the nearest is %.1f ms off", 1e3 * off); });
   }
   checks.push_back(form.verdict());
   if (moves || stamps.count() > 0) checks.push_back(stamps.verdict());
 }
 
-/** True when Ω moves in the body, so that it has a polhode that is more than a point. */
+/** Returns whether Ω moves in the body, so that its polhode is more than a point. */
 bool omegaMoves(const std::vector<Segment>& segments) {
   const Eigen::Vector3d& omega = segments.front().first().omega_body;
   return std::any_of(segments.begin(), segments.end(), [&omega](const Segment& segment) {
@@ -387,7 +389,7 @@ void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks) {
   if (!turns) return;  // at rest: ellipsoids of no size
   for (const char* name : {"model", "space"}) {
     Picture picture(evidence, name);
-    // Poinsot's construction is a free body's; of others only what is drawn is judged.
+    // A free body must have both pictures; of others, those that are drawn are judged.
     if (free || !picture.empty()) picture.judge(free && omegaMoves(evidence.segments), checks);
   }
 }

@@ -9,22 +9,23 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStampRounding = 2e-9;   // s: two stamps, each rounded to 1 ns
-constexpr double kLongTooVague = 0.01;    // rad: where a long look ends and the next begins
-constexpr double kMostSubsteps = 200000;  // of a long look
+constexpr double kLongTooVague = 0.01;    // rad: a bound above this ends a comparison over many messages
+constexpr double kMostSubsteps = 200000;  // of such a comparison
 
-/** Two consecutive states of one segment, and what lies between them. */
+/** Two consecutive states of one segment, and the times between them. */
 struct Interval {
   Interval(const State& from, const State& to) : a(from), b(to) {}
 
   const State &a, &b;
   double stamps = seconds(b.stamp - a.stamp);                 ///< [s]
-  double duration = a.time_rate * stamps;                     ///< simulation time, as the stream says [s]
-  double rounding = std::abs(a.time_rate) * kStampRounding;   ///< of that [s]
-  double time = b.time - a.time;                              ///< how far `time` advances [s]
-  bool same = std::abs(time - duration) <= rounding + 1e-12;  ///< both agree
+  double duration = a.time_rate * stamps;                     ///< simulation time by stamps and time_rate [s]
+  double rounding = std::abs(a.time_rate) * kStampRounding;   ///< of `duration` [s]
+  double time = b.time - a.time;                              ///< simulation time by the field `time` [s]
+  bool same = std::abs(time - duration) <= rounding + 1e-12;  ///< whether both agree
 };
 
-/** In words: how the turn from a to b differs from the one expected. @param theta that one, in the axes of a [rad] */
+/** Returns in words how the turn from a to b differs from the expected one. @param theta that one, in the axes of a
+ * [rad] */
 std::string wrongTurn(const Interval& v, const Vector3d& theta) {
   const Eigen::Quaterniond back = v.a.attitude.conjugate();
   const Vector3d actual = rotationVector(back * v.b.attitude);
@@ -46,7 +47,7 @@ std::string wrongTurn(const Interval& v, const Vector3d& theta) {
               actual.norm(), v.stamps, wanted, missed);
 }
 
-/** The messages must be one motion: from each the audit's own integration goes to the next, and on. */
+/** Checks that the messages show one motion: the audit's own integration leads from each to the next and beyond. */
 class Motion {
  public:
   Motion(const Evidence& evidence, std::vector<Check>& checks)
@@ -59,7 +60,7 @@ class Motion {
         far_omega_("one motion: omega", evidence.body.key),
         torques_(evidence.body.key) {}
 
-  /** @param known whether all that acts is; else only the time is judged. */
+  /** @param known whether all effects on the body are known; otherwise only the time is judged. */
   void judge(bool known) {
     std::string unknown;
     for (const Segment& segment : evidence_.segments) {
@@ -77,7 +78,7 @@ class Motion {
     std::vector<Judge*> of_pairs = {&rotation_, &euler_};
     torques_.addTo(of_pairs, evidence_);
     for (Judge* judge : of_pairs) concludePairs(*judge);
-    // Of recordings too short, or too vague, for a long look the pairs were judged.
+    // Recordings that are too short or too vague for a comparison over many messages are judged by pairs alone.
     for (Judge* judge : {&far_attitude_, &far_omega_}) {
       if (judge->count() > 0) checks_.push_back(judge->verdict());
     }
@@ -85,10 +86,10 @@ class Motion {
 
  private:
   void concludePairs(Judge& judge) {
-    judge.ifNothing(skipped_ > 0 ? "the body turns too far between two messages to judge"
+    judge.ifNothing(skipped_ > 0 ? "the body turns too far between any two messages to be judged"
                                  : "no two consecutive messages of one segment");
     if (skipped_ > 0 && judge.count() > 0) {
-      judge.note(text("%lld pairs of messages lie too far apart to judge", static_cast<long long>(skipped_)));
+      judge.note(text("%lld pairs of messages lie too far apart to be judged", static_cast<long long>(skipped_)));
     }
     checks_.push_back(judge.verdict());
   }
@@ -103,7 +104,7 @@ class Motion {
   }
 
   void judgePair(const Segment& segment, const Interval& v) {
-    // R follows time_rate, Ω and L follow `time`: one wrong field, one check.
+    // R is compared after time_rate times the stamps, Ω and L after `time`, so that one wrong field fails one check.
     const auto by_time = follow(segment, v.a, v.time);
     const auto other = v.same ? std::nullopt : follow(segment, v.a, v.duration);
     if (const auto& by_rate = v.same ? by_time : other) {
@@ -116,7 +117,7 @@ class Motion {
     const Phase start = segment.phase(v.a), reached = segment.phase(v.b), &end = by_time->to.end;
     const double speed = std::max(body.speed(v.a.time, start), body.speed(v.b.time, reached)), at = seconds(v.b.stamp);
     if (speed == 0 || (body.speed(v.a.time, start) == 0 && !body.effects().turns)) {
-      euler_.compare(reached.omega.norm(), 0, at, [] { return "nothing turns the body, yet it begins to turn"; });
+      euler_.compare(reached.omega.norm(), 0, at, [] { return "a body at rest begins to turn without a torque"; });
     } else {
       euler_.compare(omegaDifference(reached, end) / speed, by_time->omega, at, [&] {
         return text(
@@ -138,7 +139,7 @@ class Motion {
                       [&] { return wrongTurn(v, rotationVector(v.a.attitude.conjugate() * expected)); });
   }
 
-  /** From one message over as many others as can be followed: what is too little to be seen in a pair adds up. */
+  /** Compares states over as many messages as can be followed: errors too small to be seen in a pair add up. */
   void judgeFar(const Segment& segment) {
     const std::vector<const State*>& states = segment.states;
     for (std::size_t i = 0, j; i + 2 < states.size() && (j = judgeFrom(segment, i)) < states.size();) {
@@ -146,7 +147,7 @@ class Motion {
     }
   }
 
-  /** The same from one message. @return the first that could not be followed */
+  /** Does so from message i on. @return the index of the first that could not be followed. */
   std::size_t judgeFrom(const Segment& segment, std::size_t i) {
     const RigidBody& body = *segment.body;
     const State& first = *segment.states[i];
@@ -187,7 +188,7 @@ class Motion {
   std::int64_t skipped_ = 0;
 };
 
-/** The position: where nothing moves it, constant; under translation what the description says. */
+/** Checks that position and velocity are those of the description's translation, or else those of a body that stays. */
 void judgePosition(const Evidence& evidence, std::vector<Check>& checks) {
   Judge judge("position and velocity", evidence.body.key, "m, m/s");
   for (const Segment& segment : evidence.segments) {

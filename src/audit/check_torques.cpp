@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** All weights of a body as one. */
+/** The sum of all weights of a body. */
 struct Weights {
   explicit Weights(const RigidBody& body) {
     for (const Effects::Weight& w : body.effects().weights) {
@@ -19,7 +19,7 @@ struct Weights {
     }
   }
 
-  /** The body is a symmetric top about the line through its centre of mass. */
+  /** Returns whether the body is a symmetric top about the line from the pivot to its centre of mass. */
   bool symmetric(const Inertia& inertia) const {
     const Vector3d axis = centre.normalized(), side = axis.unitOrthogonal(), other = axis.cross(side);
     const Eigen::Matrix3d top =
@@ -28,9 +28,10 @@ struct Weights {
     return (top - inertia.tensor).cwiseAbs().maxCoeff() <= 1e-13 * inertia.moments[2];
   }
 
-  double moment = 0;                                               ///< the greatest torque, about
-  Vector3d gravity = Vector3d::Zero(), centre = Vector3d::Zero();  ///< a direction; weighed, of all
-  bool parallel = true;                                            ///< all weights pull in that direction
+  double moment = 0;                    ///< an upper bound of the torque [N·m]
+  Vector3d gravity = Vector3d::Zero();  ///< its direction, world axes, unit
+  Vector3d centre = Vector3d::Zero();   ///< Σ of weight times centre of mass [N·m], body axes
+  bool parallel = true;                 ///< whether all weights pull along `gravity`
 };
 
 }  // namespace
@@ -40,7 +41,7 @@ void TorqueJudges::judge(const Segment& segment, const State& a, const State& b,
   const Phase start = segment.phase(a), reached = segment.phase(b), &end = followed.to.end;
   const double speed = std::max(body.speed(a.time, start), body.speed(b.time, reached));
   const double time = b.time - a.time, at = seconds(b.stamp);
-  // A figure, relative to its scale; its bound is what an error of the speed, and of the beginning, makes of it.
+  // Compares relative to a scale. The bound follows from the uncertainty of the speed and of the start.
   const auto compare = [&](Judge& judge, double off, double scale, double by_speed, const auto& difference,
                            const Judge::Explanation& explain) {
     if (!(scale > 0)) return;
@@ -93,7 +94,7 @@ std::vector<Constant> constantsUnderTorques(const Segment& segment) {
   const double of_momentum = (body.inertia().moments[2] + body.slugInertia()) * segment.speed;
   const double of_energy = segment.momentum * segment.speed;
   std::vector<Constant> out;
-  // by_error: how much an error of 1 rad, or of the whole speed, may change it
+  // by_error: by how much an error of 1 rad, or one of Ω as large as the speed, may change the value.
   const auto add = [&](const char* name, const std::string& what, double scale, double by_error, const auto& value) {
     out.push_back({name, what + " changes", [&segment, value](const State& s) { return value(s, segment.phase(s)); },
                    scale,
@@ -174,8 +175,9 @@ void judgeSlugsStart(const Evidence& evidence, std::vector<Check>& checks) {
       const Vector3d whole = s->attitude * Vector3d(inertia.tensor * s->omega_body + j * s->omega_body);
       judge.compare(
           (s->momentum_world - whole).norm() / ((inertia.moments[2] + j) * s->omega_body.norm()), 1e-14,
-          seconds(s->stamp),
-          [] { return "at t = 0 momentum_world is not R (M + J) omega_body, as a slug at rest in the body has it"; });
+          seconds(s->stamp), [] {
+            return "at t = 0 momentum_world is not R (M + J) omega_body, though the slug starts at rest in the body";
+          });
     }
   }
   if (judge.count() > 0) checks.push_back(judge.verdict());

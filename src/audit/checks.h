@@ -9,11 +9,10 @@
 #include "poinsot/audit/report.h"
 #include "segment.h"
 
-/** The questions, a family a function; each appends its checks for one body. doc/audit.md says where bounds come from.
- */
+/** The checks, one function for each family. Each appends its checks of one body; doc/audit.md explains the bounds. */
 namespace poinsot::audit {
 
-/** What every check sees. */
+/** What all checks are given. */
 struct Evidence {
   const Body& body;
   const std::vector<Segment>& segments;  ///< of the body; none where it has no description
@@ -21,7 +20,7 @@ struct Evidence {
   const Options& options;
 };
 
-/** Descriptions: a tensor that is one, its principal moments and axes; effects that can be read. */
+/** Descriptions: a symmetric positive tensor, its principal moments and axes, effects that can be read. */
 void judgeDescription(const Evidence& evidence, std::vector<Check>& checks);
 
 /** All numbers finite; quaternions unit; stamps and segments never decrease. */
@@ -36,15 +35,15 @@ void judgeAgreement(const Evidence& evidence, std::vector<Check>& checks);
 /** From message to message, and over many: time, dR/dstamp, Euler's equations, translation. */
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks);
 
-/** What the motion conserves, and what the messages say of drift and error themselves. */
+/** What the motion conserves, and the messages' own figures for drift and error. */
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks);
 
-/** Poinsot's construction as drawn. */
+/** The markers of Poinsot's construction. */
 void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks);
 
-// What only bodies under torques are asked.
+// For bodies under torques only.
 
-/** From message to message: what the torques add to L and E, and how the slug turns. */
+/** From message to message: what the torques add to L and E, and the slug's equation. */
 class TorqueJudges {
  public:
   explicit TorqueJudges(const std::string& key)
@@ -52,7 +51,7 @@ class TorqueJudges {
 
   void judge(const Segment& segment, const State& a, const State& b, const Followed& followed);
 
-  /** Appends those that have something to say of this body. */
+  /** Appends the judges that apply to this body. */
   void addTo(std::vector<Judge*>& out, const Evidence& evidence);
 
  private:
@@ -60,22 +59,22 @@ class TorqueJudges {
   bool at_rest_ = false;
 };
 
-/** Something of the true motion that never changes. */
+/** A constant of the true motion. */
 struct Constant {
   const char* name;
   std::string words;  ///< "E drifts"
   std::function<Eigen::Vector3d(const State&)> value;
-  double scale;                                 ///< what its size is compared with
-  std::function<double(const State&)> allowed;  ///< what it may be off by in a state, relative to the scale
+  double scale;                                 ///< to which changes are relative
+  std::function<double(const State&)> allowed;  ///< its error that is allowed in a state, relative to the scale
 };
 
-/** What the effects that act on a body leave constant. */
+/** Returns what the effects on a body leave constant. */
 std::vector<Constant> constantsUnderTorques(const Segment& segment);
 
-/** Dampings and slugs take energy out, at every moment: E, with the slug's ½Jσ². */
+/** Checks that E with the slug's ½Jσ² never rises where only dampings and a slug act. */
 void judgeFall(const Segment& segment, double ceiling, Judge& judge);
 
-/** A slug starts with the body; of recordings that show t = 0. */
+/** Checks in states at t = 0 that the slug starts at rest in the body. */
 void judgeSlugsStart(const Evidence& evidence, std::vector<Check>& checks);
 
 }  // namespace poinsot::audit

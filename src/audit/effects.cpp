@@ -7,6 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "poinsot/audit/report.h"
+
 namespace poinsot::audit {
 namespace {
 
@@ -21,7 +23,7 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
-/** The parts between separators that stand in no brackets. */
+/** Returns the parts between separators, leaving out separators in brackets. */
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -40,53 +42,53 @@ std::vector<std::string> split(const std::string& text, char separator) {
 double numberOf(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) refuse("\"" + text + "\" is not a finite number");
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) refuse("expected a finite number, got \"" + text + "\"");
   return value;
 }
 
 Vector3d vectorFrom(const std::string& text) {
-  if (text.size() < 2 || text.front() != '[' || text.back() != ']') refuse("\"" + text + "\" is not [x, y, z]");
-  const std::vector<std::string> parts = split(text.substr(1, text.size() - 2), ',');
-  if (parts.size() != 3) refuse("\"" + text + "\" is not [x, y, z]");
+  const bool in_brackets = text.size() >= 2 && text.front() == '[' && text.back() == ']';
+  const std::vector<std::string> parts = split(in_brackets ? text.substr(1, text.size() - 2) : "", ',');
+  if (parts.size() != 3) refuse("expected [x, y, z], got \"" + text + "\"");
   return {numberOf(parts[0]), numberOf(parts[1]), numberOf(parts[2])};
 }
 
-/** "key value, key value". Every key must be asked for. */
+/** The values of "key value, key value". Each read takes one away; done() refuses a key that is left. */
 class Values {
  public:
   explicit Values(const std::string& text) {
     for (const std::string& item : split(text, ',')) {
       const auto space = item.find(' ');
-      if (space == std::string::npos) refuse("\"" + item + "\" is not a key and a value");
+      if (space == std::string::npos) refuse("expected a key and a value, got \"" + item + "\"");
       const std::string key = item.substr(0, space);
-      if (!items_.emplace(key, trimmed(item.substr(space))).second) refuse("\"" + key + "\" is there twice");
+      if (!items_.emplace(key, trimmed(item.substr(space))).second) refuse("key \"" + key + "\" is given twice");
     }
   }
 
   std::string word(const std::string& key) {
     const auto item = items_.extract(key);
-    if (item.empty()) refuse("\"" + key + "\" is missing");
+    if (item.empty()) refuse("key \"" + key + "\" is missing");
     return item.mapped();
   }
   double number(const std::string& key) { return numberOf(word(key)); }
   Vector3d vector(const std::string& key) { return vectorFrom(word(key)); }
   double positive(const std::string& key) {
     const double value = number(key);
-    if (!(value > 0)) refuse("\"" + key + "\" is not positive");
+    if (!(value > 0)) refuse(key + text(": expected a positive number, got %g", value));
     return value;
   }
   Vector3d direction(const std::string& key) {
     const Vector3d v = vector(key);
-    if (!(v.stableNorm() > 0)) refuse("\"" + key + "\" has no direction");
+    if (!(v.stableNorm() > 0)) refuse(key + ": expected a vector other than 0");
     return v.stableNormalized();
   }
   bool frameIsWorld() {
     const std::string frame = word("frame");
-    if (frame != "world" && frame != "body") refuse("frame \"" + frame + "\" is neither body nor world");
+    if (frame != "world" && frame != "body") refuse("frame: expected body or world, got \"" + frame + "\"");
     return frame == "world";
   }
   void done() const {
-    if (!items_.empty()) refuse("\"" + items_.begin()->first + "\" is no key of it");
+    if (!items_.empty()) refuse("unknown key \"" + items_.begin()->first + "\"");
   }
 
  private:
@@ -98,17 +100,17 @@ void readPush(Values& values, bool scheduled, Effects& out) {
   if (scheduled) {
     push.from = values.number("from");
     push.to = values.number("to");
-    if (!(push.from < push.to)) refuse("\"to\" is not after \"from\"");
+    if (!(push.from < push.to)) refuse(text("to: expected a time after from (%g s), got %g s", push.from, push.to));
   }
   push.world = values.frameIsWorld();
   push.torque = values.vector("torque");
   out.pushes.push_back(push);
 }
 
-void readOne(const std::string& text, Effects& out) {
-  const auto colon = text.find(':');
-  if (colon == std::string::npos) refuse("no \"type: \" at its start");
-  const std::string type = text.substr(0, colon), rest = text.substr(colon + 1);
+void readOne(const std::string& effect, Effects& out) {
+  const auto colon = effect.find(':');
+  if (colon == std::string::npos) refuse("expected \"type: \" at the start");
+  const std::string type = effect.substr(0, colon), rest = effect.substr(colon + 1);
   if (type == "torque_schedule") {
     for (const std::string& segment : split(rest, ';')) {
       Values values(segment);
@@ -125,25 +127,26 @@ void readOne(const std::string& text, Effects& out) {
   } else if (type == "gravity_gradient") {
     Effects::Orbit orbit{values.positive("orbit_rate"), values.direction("orbit_normal"),
                          values.direction("radial_at_start")};
-    if (std::abs(orbit.normal.dot(orbit.radial)) > 1e-9) refuse("its directions are not perpendicular");
+    if (std::abs(orbit.normal.dot(orbit.radial)) > 1e-9)
+      refuse("orbit_normal and radial_at_start are not perpendicular");
     orbit.radial = (orbit.radial - orbit.normal.dot(orbit.radial) * orbit.normal).normalized();
     out.orbits.push_back(orbit);
   } else if (type == "viscous_damping") {
     const std::string value = values.word("coefficient");
     const bool each = !value.empty() && value.front() == '[';
     const Vector3d damping = each ? vectorFrom(value) : Vector3d::Constant(numberOf(value));
-    if (damping.minCoeff() < 0) refuse("a negative coefficient");
+    if (damping.minCoeff() < 0) refuse(text("coefficient: expected at least 0, got %g", damping.minCoeff()));
     out.dampings.push_back(damping);
   } else if (type == "internal_dissipation") {
-    if (out.slug) refuse("a second slug");
+    if (out.slug) refuse("expected at most one internal_dissipation, got a second");
     out.slug = Effects::Slug{values.positive("slug_inertia"), values.number("damping")};
-    if (out.slug->damping < 0) refuse("a negative damping");
+    if (out.slug->damping < 0) refuse(text("damping: expected at least 0, got %g", out.slug->damping));
   } else if (type == "translation") {
-    if (out.translation) refuse("a second translation");
+    if (out.translation) refuse("expected at most one translation, got a second");
     out.translation =
         Effects::Translation{values.vector("position"), values.vector("velocity"), values.vector("acceleration")};
   } else {
-    refuse("no such type is known here");
+    refuse("unknown type \"" + type + "\"");
   }
   values.done();
 }

@@ -22,7 +22,7 @@ class Fields {
     if (!out.allFinite()) found(name, " is not finite");
     return out;
   }
-  /** @return normalised; the identity where that is impossible. */
+  /** Returns it normalised; the identity where that is impossible. */
   Eigen::Quaterniond quaternion(const geometry_msgs::Quaternion& value, const char* name, Eigen::Quaterniond& as_sent) {
     as_sent = quaternionOf(value);
     if (as_sent.coeffs().allFinite() && !(as_sent.norm() < 1e-6)) return as_sent.normalized();
@@ -37,11 +37,11 @@ class Fields {
   std::string& flaw_;
 };
 
+}  // namespace
+
 std::string frameName(const std::string& name) {
   return !name.empty() && name[0] == '/' ? name.substr(1) : name;
 }
-
-}  // namespace
 
 bool endsWith(const std::string& text, const std::string& tail) {
   return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
@@ -71,10 +71,10 @@ State read(const poinsot::BodyState& message) {
   s.energy_drift = message.energy_drift;
   s.momentum_drift = message.momentum_drift;
   s.attitude_error = message.attitude_error;
-  // Drifts are relative: for a body that started at rest, infinite is the honest figure. Not so NaN.
+  // Relative drifts of a body that started at rest are rightly infinite, but never NaN.
   if (std::isnan(s.energy_drift)) fields.number(s.energy_drift, "energy_drift");
   if (std::isnan(s.momentum_drift)) fields.number(s.momentum_drift, "momentum_drift");
-  // NaN: not measured, in a recording that nobody played.
+  // NaN stands for a cost that was not measured.
   if (!std::isnan(message.cost)) fields.number(message.cost, "cost");
   return s;
 }
@@ -144,7 +144,7 @@ bool Body::effectsAreRead() const {
 }
 
 void Body::putInOrder() {
-  // Time that goes on from one message to the next belongs to one motion, whatever their segments say.
+  // Messages between which `time` goes on as time_rate says were sent one after the other, in whatever segments.
   bool disorder = false, goes_on = false;
   std::set<std::uint32_t> sequence;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -193,7 +193,7 @@ const Track<Transform>* Transforms::moving(const std::string& child) const {
 std::vector<std::pair<std::string, Eigen::Isometry3d>> Transforms::chainToRoot(const std::string& frame, Stamp stamp,
                                                                                const Eigen::Quaterniond& near) const {
   std::vector<std::pair<std::string, Eigen::Isometry3d>> chain{{frame, Eigen::Isometry3d::Identity()}};
-  // Frames that form a loop are no tree: 64 is deeper than any of ours.
+  // Ends where frames form a loop: no tree of ours is 64 deep.
   while (chain.size() < 64) {
     const auto still = fixed_.find(chain.back().first);
     const Transform* step = still == fixed_.end() ? nullptr : &still->second;
@@ -212,7 +212,7 @@ std::vector<std::pair<std::string, Eigen::Isometry3d>> Transforms::chainToRoot(c
 std::optional<Eigen::Isometry3d> Transforms::between(const std::string& from, const std::string& to, Stamp stamp,
                                                      const Eigen::Quaterniond& near) const {
   if (from == to) return Eigen::Isometry3d::Identity();
-  // Up from both sides to the first frame in common, so that nothing above it costs digits.
+  // Up from both frames to the first in common: transforms above it would only add rounding.
   const auto up = chainToRoot(from, stamp, near), down = chainToRoot(to, stamp, near);
   for (const auto& a : up) {
     for (const auto& b : down) {

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 namespace poinsot::audit {
 
@@ -18,11 +20,8 @@ std::string text(const char* format, ...) {
   return buffer;
 }
 
-Judge::Judge(std::string name, std::string body, std::string unit) {
-  check_.name = std::move(name);
-  check_.body = std::move(body);
-  check_.unit = std::move(unit);
-}
+Judge::Judge(std::string name, std::string body, std::string unit)
+    : check_{std::move(name), std::move(body), false, 0, 0, std::move(unit), 0, 0, ""} {}
 
 void Judge::compare(double figure, double bound, double stamp, const Explanation& explain) {
   ++check_.count;

@@ -10,16 +10,16 @@ namespace poinsot::audit {
 namespace {
 
 constexpr double kMostSubsteps = 200000;
-constexpr double kCoarse = 0.05;  // rad: neighbours are only compared with each other
+constexpr double kCoarse = 0.05;  // rad: substeps of neighbours, whose own errors cancel
 constexpr int kMostTerms = 28;
 
 /** A power series in time, of as many terms as are known so far. */
 struct Series {
-  int terms = kMostTerms;  // of a constant all are known
+  int terms = kMostTerms;  // all terms of a constant are known
   std::array<double, kMostTerms> c{};
 
   Series() = default;
-  Series(double value) { c[0] = value; }  // NOLINT: as numbers convert
+  Series(double value) { c[0] = value; }  // NOLINT: implicit, like conversions of numbers
 
   Series& operator+=(const Series& other) {
     terms = std::min(terms, other.terms);
@@ -76,7 +76,7 @@ using Eigen::Vector3d;
 template <class S>
 using Vector3 = Eigen::Matrix<S, 3, 1>;
 
-/** What a phase changes by in a unit of time; its attitude is then no unit quaternion. */
+/** Derivatives with respect to time; that of the attitude is not a unit quaternion. */
 template <class S>
 struct Rates {
   PhaseOf<S> phase;
@@ -84,7 +84,7 @@ struct Rates {
   S work;
 };
 
-/** The constant torques that act at a time, summed up. */
+/** The sum of the constant torques that act at a time. */
 struct Pushes {
   Vector3d body = Vector3d::Zero(), world = Vector3d::Zero();
 };
@@ -97,7 +97,8 @@ Pushes pushesAt(const Effects& effects, double t) {
   return out;
 }
 
-/** The equations of motion; for numbers, and for power series. @param radial of each orbit, world axes */
+/** Returns the right-hand side of the equations of motion, for numbers or power series. @param radial of each orbit,
+ * world axes */
 template <class S>
 Rates<S> ratesOf(const Inertia& inertia, const Effects& effects, const Pushes& pushes,
                  const std::vector<Vector3<S>>& radial, const PhaseOf<S>& p) {
@@ -141,7 +142,7 @@ std::vector<Vector3d> radials(const Effects& effects, double t) {
   return out;
 }
 
-/** All numbers of a phase: four of the attitude, three of Ω, three of σ. */
+/** Returns all numbers of a phase: four of the attitude, three of Ω, three of σ. */
 std::array<Series*, 10> numbersOf(PhaseOf<Series>& p) {
   std::array<Series*, 10> out{};
   for (int i = 0; i < 4; ++i) out[i] = &p.attitude.coeffs()[i];
@@ -229,7 +230,7 @@ std::optional<Travelled> RigidBody::travel(double t, const Phase& start, double 
   Phase& p = out.end;
   double taken = 0;
   for (std::size_t piece = 1; piece < times.size(); ++piece) {
-    // The times of a single piece are rounded: its length is what was asked for.
+    // Differences of the times are rounded; a single piece takes the duration itself.
     const double from = times[piece - 1], length = times.size() == 2 ? duration : times[piece] - from;
     if (length == 0) continue;
     const double count = substeps(from + 0.5 * length, p, length, angle), h = length / count;

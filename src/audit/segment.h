@@ -10,14 +10,14 @@
 
 namespace poinsot::audit {
 
-/** The states of one segment that can be used, in the order in which they were sent, and what is known of the body. */
+/** The states of one segment that can be used, in the order in which they were sent, with the body and its bounds. */
 struct Segment {
   std::vector<const State*> states;  ///< at least one
   const Description* description;
   std::shared_ptr<const RigidBody> body;
   Bounds bounds;
-  bool begins_here;                            ///< its first message is in the recording, and can be used
-  double speed = 0, momentum = 0, energy = 0;  ///< the greatest in it
+  bool begins_here;                            ///< whether its first message is in the recording, and can be used
+  double speed = 0, momentum = 0, energy = 0;  ///< the greatest of all states
 
   const State& first() const { return *states.front(); }
   Phase phase(const State& s) const { return phaseOf(*body, s); }
@@ -32,25 +32,25 @@ struct Segment {
   }
 };
 
-/** The segments of a body that has a description. They refer to the body. */
+/** Returns the segments of a body that has a description; they hold pointers to it. */
 std::vector<Segment> segmentsOf(const Body& body);
 
-/** Where a state leads, and how far what is said of that may be off. */
+/** Where a state leads, and how far that may be off. */
 struct Followed {
   Travelled to;
-  double start;                          ///< what is uncertain before it grows [rad; relative to the speed]
+  double start;                          ///< the uncertainty at the start [rad; relative to the speed]
   double attitude;                       ///< bound of the attitude [rad]
   double omega;                          ///< bound of Ω, relative to the speed
-  std::optional<Neighbours> neighbours;  ///< under torques: how what is uncertain grows
+  std::optional<Neighbours> neighbours;  ///< under torques: the growth of that uncertainty
 };
 
 constexpr double kFine = 0.005;  // rad at rate(): substeps of the audit's own integration
 constexpr double kFineError = kFine * kFine * kFine * kFine * kFine / 30;
 
-/** What following a state for a duration is uncertain by, before that grows [rad; relative to the speed]. */
+/** Returns the uncertainty of following a state for a duration, before it grows [rad; relative to the speed]. */
 double uncertainty(const Segment& segment, const State& a, double duration);
 
-/** The audit's own integration from a state. Nothing where it is too vague to judge by, or would take too long. */
+/** Integrates from a state. Returns nothing where the result is too vague to judge by, or would take too long. */
 std::optional<Followed> follow(const Segment& segment, const State& a, double duration);
 
 inline double attitudeDifference(const Phase& a, const Phase& b) {

@@ -1,35 +1,30 @@
 #include "poinsot/core/assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+#include <utility>
 
 #include "poinsot/core/pi.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
 
-constexpr double kThinnestSide = 0.02;  // of the longest, for a stand-in box
+constexpr double kThinnestSide = 0.02;  // of an equivalent box, as a share of its longest side
 
-/** Σ over the solid of (x/w)², divided by its mass, for the three axes. */
-Eigen::Vector3d secondMoments(SolidType type) {
-  switch (type) {
-    case SolidType::box:
-      return Eigen::Vector3d::Constant(1.0 / 12);
-    case SolidType::ellipsoid:
-      return Eigen::Vector3d::Constant(1.0 / 20);
-    case SolidType::cylinder:
-      return {1.0 / 16, 1.0 / 16, 1.0 / 12};
-  }
-  throw std::logic_error("unknown type of solid");
-}
+/** A form relative to the box of its extents. */
+struct Form {
+  double numerator, denominator;   ///< of its volume, as a share of that of the box
+  Eigen::Vector3d second_moments;  ///< the mean of (x/w)², w the extent, for each of the three axes
+};
 
-void requirePositive(double value, const char* what) {
-  if (value > 0 && std::isfinite(value)) return;
-  std::ostringstream out;
-  out << what << " is " << value << "; it must be positive and finite";
-  throw std::invalid_argument(out.str());
+const Form& formOf(SolidType type) {
+  // In the order of SolidType.
+  static const std::array<Form, 3> forms = {Form{1, 1, {1.0 / 12, 1.0 / 12, 1.0 / 12}},
+                                            {kPi, 6, {1.0 / 20, 1.0 / 20, 1.0 / 20}},
+                                            {kPi, 4, {1.0 / 16, 1.0 / 16, 1.0 / 12}}};
+  return forms.at(static_cast<std::size_t>(type));
 }
 
 /** Gives each part the share of `mass` that its volume has. */
@@ -52,20 +47,11 @@ Eigen::Quaterniond about(double angle, const Eigen::Vector3d& axis) {
 }  // namespace
 
 double Solid::volume() const {
-  const double box = size.prod();
-  switch (type) {
-    case SolidType::box:
-      return box;
-    case SolidType::ellipsoid:
-      return box * kPi / 6;
-    case SolidType::cylinder:
-      return box * kPi / 4;
-  }
-  throw std::logic_error("unknown type of solid");
+  return size.prod() * formOf(type).numerator / formOf(type).denominator;
 }
 
 Eigen::Matrix3d Solid::inertiaTensor() const {
-  const Eigen::Vector3d s = mass * secondMoments(type).cwiseProduct(size.cwiseProduct(size));
+  const Eigen::Vector3d s = mass * formOf(type).second_moments.cwiseProduct(size.cwiseProduct(size));
   const Eigen::Vector3d moments(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
   if (orientation.vec().isZero(0)) return moments.asDiagonal();
   const Eigen::Matrix3d r = orientation.toRotationMatrix();
@@ -73,12 +59,12 @@ Eigen::Matrix3d Solid::inertiaTensor() const {
 }
 
 Assembly::Assembly(std::vector<Solid> parts) : parts_(std::move(parts)) {
-  if (parts_.empty()) throw std::invalid_argument("an assembly needs at least one part");
+  if (parts_.empty()) refuse("expected an assembly of at least one part, got none");
   double mass = 0;
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   for (const Solid& part : parts_) {
-    for (int i = 0; i < 3; ++i) requirePositive(part.size[i], "a length");
-    requirePositive(part.mass, "a mass");
+    for (int i = 0; i < 3; ++i) requirePositive(part.size[i], "length", "m");
+    requirePositive(part.mass, "mass", "kg");
     mass += part.mass;
     weighted += part.mass * part.centre;
   }

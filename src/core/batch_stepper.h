@@ -12,25 +12,25 @@
 #include "steppers/restore_energy.h"
 #include "steppers/restore_momentum.h"
 
-/** Makes Steppers for free bodies of the schemes in steppers/, each of which takes one step inline. */
+/** Steppers for free bodies, made from the schemes in steppers/, whose single steps are inline. */
 namespace poinsot::batch {
 
 constexpr double kSmall = 1e-100, kLarge = 1e100;  // between them products of two or three stay in range
 
-/** The power of two that brings a size near 1 where it is extreme; 0 where it is not, nor 0, infinite or NaN. */
+/** Returns the binary exponent of a size that is extreme; 0 for all other sizes, and for 0, infinity and NaN. */
 inline int excess(double size) {
   if ((size >= kSmall && size <= kLarge) || !(size > 0) || !std::isfinite(size)) return 0;
   return std::ilogb(size);
 }
 
-/** Λ and L by 2ᵏ, which is exact but for denormals. */
+/** Multiplies Λ and L by 2ᵏ, which is exact but for denormals. */
 inline void scale(FreeRotationState& state, int k) {
   for (auto* vector : {&state.momentum_principal, &state.momentum_rest, &state.kept_momentum}) {
     *vector = vector->unaryExpr([k](double value) { return std::ldexp(value, k); });
   }
 }
 
-/** L and E to be kept are those of the start, or what the caller has made of them since. */
+/** Sets the conserved L and E to those of the state, unless they differ by no more than rounding. */
 inline void findKept(FreeRotationState& state, const Eigen::Vector3d& moments, const steppers::EnergyKeeper& energy) {
   const Eigen::Vector3d kept = state.kept_momentum;
   const double kept_inverse_inertia = state.kept_inverse_inertia;
@@ -49,9 +49,9 @@ inline void findKept(FreeRotationState& state, const Eigen::Vector3d& moments, c
 }
 
 /**
- * Sets to 0 what has died away beside a spin about an axis of extreme moment. It would stay nothing, but its products
- * would be denormal numbers, with which a step takes twice as long. About the unstable axis the least remainder grows
- * again, and stays.
+ * Sets to 0 the components that have become negligible beside a spin about an axis of extreme moment. They would stay
+ * negligible, but their products would be denormal numbers, with which a step takes twice as long. Beside a spin about
+ * the unstable axis the smallest component grows again, so it is kept.
  */
 inline void dropRemainders(FreeRotationState& state, int unstable_axis) {
   Eigen::Vector3d& p = state.momentum_principal;
@@ -63,7 +63,7 @@ inline void dropRemainders(FreeRotationState& state, int unstable_axis) {
   }
 }
 
-/** What a scheme can work out once for all the steps of a motion: a Plan, or the step itself where it has none. */
+/** What a scheme works out once for many steps: its Plan, or the step itself where it has none. */
 template <class Scheme, class = void>
 struct Planned {
   static double plan(const Scheme&, const FreeRotationState&, double step) { return step; }
@@ -157,13 +157,13 @@ std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) {
   return std::make_unique<BatchStepper<Scheme, 0, false>>(moments);
 }
 
-/** For those that conserve L; the count, for those that turn the body more than once a step. */
+/** For schemes that conserve L. The count is lower for those that turn the body more than once a step. */
 template <class Scheme, int steps_between_restorations = steppers::kStepsBetweenRestorations>
 std::unique_ptr<Stepper> makeKeeping(const Eigen::Vector3d& moments) {
   return std::make_unique<BatchStepper<Scheme, steps_between_restorations, false>>(moments);
 }
 
-/** For those that conserve E as well. */
+/** For schemes that conserve L and E. */
 template <class Scheme>
 std::unique_ptr<Stepper> makeKeepingEnergy(const Eigen::Vector3d& moments) {
   return std::make_unique<BatchStepper<Scheme, steppers::kStepsBetweenRestorations, true>>(moments);

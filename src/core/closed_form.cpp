@@ -22,21 +22,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 closed_form::Start checked(const Eigen::Vector3d& moments, const Quaternion& q, const Eigen::Vector3d& omega) {
   PrincipalInertia::fromMoments(moments);
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(omega[i])) {
-      refuse("component " + std::to_string(i + 1) + " of the angular velocity is " + numberText(omega[i], 17) +
-             "; it must be finite (rad/s)");
-    }
-  }
-  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
-    refuse("the attitude is [" + numberText(q.w(), 17) + ", " + numberText(q.x(), 17) + ", " + numberText(q.y(), 17) +
-           ", " + numberText(q.z(), 17) + "]; it must be a finite quaternion (w, x, y, z) other than zero");
-  }
+  requireFinite(omega);
+  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) refuseAttitude(q);
   return {{moments[0], moments[1], moments[2]}, {omega[0], omega[1], omega[2]}, {q.w(), q.x(), q.y(), q.z()}};
 }
 
-void checkTime(const char* what, double t) {
-  if (!std::isfinite(t)) refuse(std::string(what) + " is " + numberText(t, 17) + "; it must be finite (s)");
+void checkTime(const char* name, double t) {
+  if (!std::isfinite(t)) refuse(std::string(name) + ": expected a finite number (s), got " + numberText(t, 17));
 }
 
 }  // namespace
@@ -59,7 +51,7 @@ closed_form::Start ClosedForm::start() const {
 ClosedForm::State ClosedForm::at(double t) const {
   State state;
   if (!closed_form::bestLevel().at(constants_, t, state.attitude.coeffs().data(), state.omega_principal.data())) {
-    checkTime("the time", t);
+    checkTime("t", t);
     Phases phases;
     closed_form::phasesWide(start(), constants_, t, phases);
     closed_form::bestLevel().at_phases(constants_, phases, state.attitude.coeffs().data(),
@@ -70,21 +62,15 @@ ClosedForm::State ClosedForm::at(double t) const {
 
 void ClosedForm::sample(double t0, double dt, std::int64_t n, double* const columns[7]) const {
   if (closed_form::bestLevel().sample(constants_, t0, dt, n, columns)) return;
-  checkTime("the first time", t0);
-  checkTime("the time from sample to sample", dt);
+  checkTime("t0", t0);
+  checkTime("dt", dt);
   closed_form::sampleWide(start(), constants_, t0, dt, n, columns);
 }
 
 ClosedForm::Regime ClosedForm::regime() const {
-  switch (constants_.kind) {
-    case Constants::Kind::steady:
-      return Regime::steady;
-    case Constants::Kind::separatrix:
-      return Regime::separatrix;
-    case Constants::Kind::periodic:
-      break;
-  }
-  return Regime::general;
+  return constants_.kind == Constants::Kind::steady     ? Regime::steady
+         : constants_.kind == Constants::Kind::periodic ? Regime::general
+                                                        : Regime::separatrix;
 }
 
 int ClosedForm::encircledAxis() const {
@@ -105,7 +91,7 @@ double ClosedForm::period() const {
 }
 
 double ClosedForm::timeToNextFlip(double t) const {
-  checkTime("the time", t);
+  checkTime("t", t);
   if (constants_.kind == Constants::Kind::steady || constants_.symmetric) return kInfinity;
   Phases phases;
   if (!closed_form::bestLevel().phases(constants_, t, phases)) {

@@ -3,9 +3,8 @@
 namespace poinsot {
 
 /**
- * sum + rest ← sum + rest + term, without losing what falls below the last bit of `sum` (Kahan 1965, with Knuth's
- * branch-free two-sum). Works component by component on doubles and on Eigen vectors. Needs IEEE arithmetic in the
- * order written: no -ffast-math.
+ * Adds a term to sum + rest, where `rest` holds what falls below the last bit of `sum` (Kahan 1965, with Knuth's
+ * branch-free two-sum). T is double or an Eigen vector. Needs IEEE arithmetic in the order written: no -ffast-math.
  */
 template <class T>
 inline void addCompensated(T& sum, T& rest, const T& term) {

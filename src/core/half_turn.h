@@ -2,22 +2,22 @@
 
 #include "poinsot/core/eigen_types.h"
 
-/** exp(θ) for steppers, who take it apart and call it once or more a step: inline. */
+/** exp(θ) for steppers, inline because they need it at least once a step. */
 namespace poinsot {
 
-/** exp(θ) in pieces: the unit quaternion (c, ½s·θ). */
+/** The parts of exp(θ), which is the unit quaternion (c, ½s·θ). */
 struct HalfTurn {
   double c;  ///< cos(|θ|/2)
   double s;  ///< sin(|θ|/2) / (|θ|/2)
 };
 
-/** Beyond |θ| = 2, where steppers rarely go. θ that is not finite gives NaN. */
+/** halfTurn() for |θ| ≥ 2, which is rare in steps. NaN where θ is not finite. */
 HalfTurn wideHalfTurn(const Eigen::Vector3d& theta);
 
 /**
- * For any finite θ, also where |θ|² leaves the range of doubles.
- * Up to |θ| = 2 both functions are their Taylor series in z = |θ|²/4, which is where sin(x)/x would be 0/0 and where
- * steppers spend their time; summed in pairs, so that the processor need not wait for one term after the other.
+ * Returns the parts of exp(θ) for any finite θ, also where |θ|² leaves the range of doubles.
+ * Up to |θ| = 2 both are Taylor series in z = |θ|²/4, which have no 0/0 at 0 and are fast for short steps. Their terms
+ * are summed in pairs, so that the processor need not wait for each in turn.
  */
 inline HalfTurn halfTurn(const Eigen::Vector3d& theta) {
   const double z = 0.25 * (theta[0] * theta[0] + theta[1] * theta[1] + theta[2] * theta[2]);
@@ -47,7 +47,7 @@ inline HalfTurn halfTurn(const Eigen::Vector3d& theta) {
   return wideHalfTurn(theta);
 }
 
-/** One Newton step towards |q| = 1: enough, and cheap, for a quaternion that is unit to about 1e-8. */
+/** Takes one Newton step towards |q| = 1, which is enough for a quaternion that is unit to about 1e-8. */
 inline void renormalise(Quaternion& q) {
   q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "poinsot/core/number_text.h"
 #include "refuse.h"
@@ -16,17 +17,14 @@ constexpr double kSmallestMomentRatio = 1e-14;
 }  // namespace
 
 PrincipalInertia PrincipalInertia::fromMoments(const Eigen::Vector3d& moments) {
-  for (int i = 0; i < 3; ++i) {
-    if (!(moments[i] > 0) || !std::isfinite(moments[i])) {
-      refuse("moment " + std::to_string(i + 1) + " is " + numberText(moments[i], 17) +
-             "; a principal moment of inertia must be positive and finite (kg·m²)");
-    }
-  }
+  const char* const names[] = {"moment 1", "moment 2", "moment 3"};
+  for (int i = 0; i < 3; ++i) requirePositive(moments[i], names[i], "kg·m²");
   return {moments, Eigen::Quaterniond::Identity()};
 }
 
 PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
-  if (!tensor.allFinite()) refuse("the inertia tensor has an entry that is not finite");
+  if (!tensor.allFinite())
+    refuse("expected an inertia tensor of finite numbers (kg·m²), got one with an entry that is not finite");
   const double largest = tensor.cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i) {
     for (int j = i + 1; j < 3; ++j) {
@@ -40,7 +38,7 @@ PrincipalInertia PrincipalInertia::fromTensor(const Eigen::Matrix3d& tensor) {
   const Eigen::Vector3d diagonal = symmetric.diagonal();
   if (symmetric == Eigen::Matrix3d(diagonal.asDiagonal())) return fromMoments(diagonal);
 
-  // Scaled so that no product inside the solver leaves the range of doubles.
+  // The scale keeps all products inside the solver in the range of doubles.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric / largest);
   const Eigen::Vector3d& ratios = solver.eigenvalues();
   if (!(ratios[0] > kSmallestMomentRatio * ratios[2])) {

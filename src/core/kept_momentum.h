@@ -2,7 +2,7 @@
 
 #include "poinsot/core/rotation_state.h"
 
-/** What FreeRotationState's members of the same names do, inline for steppers, who do it once or more a step. */
+/** FreeRotationState's members of the same names, inline because steppers need them at least once a step. */
 namespace poinsot::inlined {
 
 inline Eigen::Vector3d momentumWorld(const FreeRotationState& state) {

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "half_turn.h"
 #include "poinsot/core/method.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/rotation.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
 
 constexpr double kLargestGridIndex = 9007199254740992.0;  // 2^53: beyond it t/h no longer tells two steps apart
-
-void checkStep(const MotionSetup& setup) {
-  if (setup.step && *setup.step > 0 && std::isfinite(*setup.step)) return;
-  throw std::invalid_argument("a stepper needs a step that is positive and finite");
-}
 
 void checkMethod(const MotionSetup& setup) {
   const bool torqued = !setup.effects.empty();
@@ -25,33 +24,35 @@ void checkMethod(const MotionSetup& setup) {
   const std::string got = ", got \"" + setup.method + "\"";
   if (setup.method == kClosedForm) {
     if (torqued) {
-      throw std::invalid_argument(expected + got + ", the motion of a free body: " + nameOf(setup.effects.front()) +
-                                  " acts on this one");
+      refuse(expected + got + ", the motion of a free body: " + nameOf(setup.effects.front()) + " acts on this one");
     }
-    if (setup.step) throw std::invalid_argument("the closed form takes no step");
+    if (setup.step) refuse("expected no step for closed_form, got " + numberText(*setup.step) + " s");
     return;
   }
   const Method* method = findMethod(setup.method, list);
   if (!method) {
     const char* kind = torqued ? ", which takes no torques" : ", which moves only bodies with effects";
-    throw std::invalid_argument(expected + got + (findMethod(setup.method) ? kind : ""));
+    refuse(expected + got + (findMethod(setup.method) ? kind : ""));
   }
   const std::string objection = torqued ? objectionTo(*method, sumOf(setup.inertia, setup.effects)) : "";
-  if (!objection.empty()) throw std::invalid_argument(objection);
-  checkStep(setup);
+  if (!objection.empty()) refuse(objection);
+  if (!setup.step) refuse("expected a step (s) for " + setup.method + ", got none");
+  requirePositive(*setup.step, "step", "s");
 }
 
 MotionSetup checked(MotionSetup setup) {
   checkMethod(setup);
-  if (!setup.omega_body.allFinite()) throw std::invalid_argument("angular velocity must be finite");
-  if (const std::string problem = outOfRange(setup.inertia, setup.omega_body); !problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
+  requireFinite(setup.omega_body);
+  if (const std::string problem = outOfRange(setup.inertia, setup.omega_body); !problem.empty()) refuse(problem);
   const double norm = setup.attitude.coeffs().stableNorm();
-  if (!(norm > 0) || !std::isfinite(norm)) throw std::invalid_argument("attitude must be a quaternion other than zero");
+  if (!(norm > 0) || !std::isfinite(norm)) refuseAttitude(setup.attitude);
   setup.attitude.coeffs() /= norm;
   renormalise(setup.attitude);
   return setup;
+}
+
+void requireFiniteTime(double t) {
+  if (!std::isfinite(t)) throw std::out_of_range("expected a finite time (s), got " + numberText(t, 17));
 }
 
 bool principalAxesAreBodyAxes(const MotionSetup& setup) {
@@ -62,7 +63,7 @@ Quaternion principalAttitude(const MotionSetup& setup) {
   return principalAxesAreBodyAxes(setup) ? setup.attitude : Quaternion(setup.attitude * setup.inertia.axes());
 }
 
-/** A slug starts with the body. */
+/** Returns the state at t = 0. A slug starts with the angular velocity of the body. */
 RotationState startOf(const MotionSetup& setup, bool with_slug) {
   const Eigen::Vector3d omega_principal = setup.inertia.toPrincipal(setup.omega_body);
   RotationState start = RotationState::fromOmega(setup.inertia.moments(), principalAttitude(setup), omega_principal);
@@ -93,7 +94,10 @@ std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& o
 Motion::Place Motion::Grid::locate(double t) const {
   const double distance = std::abs(t);
   const double n = std::floor(distance / step);
-  if (!(n < kLargestGridIndex)) throw std::out_of_range("time is not finite, or too far for steps this short");
+  if (!(n < kLargestGridIndex)) {
+    throw std::out_of_range("expected a finite time less than 2^53 steps of " + numberText(step) +
+                            " s from t = 0, got t = " + numberText(t, 17) + " s");
+  }
   const double rest = std::max(0.0, std::fma(-n, step, distance));
   return {static_cast<std::int64_t>(n), std::copysign(rest, t)};
 }
@@ -132,7 +136,7 @@ double Motion::stepsTo(double t) const {
 
 bool Motion::prepare(double t, const std::atomic<bool>& cancel) {
   if (grid_) return grid_->prepare(t, cancel);
-  if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
+  requireFiniteTime(t);
   return true;
 }
 
@@ -162,9 +166,9 @@ MotionState Motion::at(double t) {
     if (torques_) describeTorques(state, out);
     return out;
   }
-  if (!std::isfinite(t)) throw std::out_of_range("time is not finite");
+  requireFiniteTime(t);
   const ClosedForm::State state = exact_->at(t);
-  FreeRotationState principal;  // nothing steps it: it needs no momentum to keep
+  FreeRotationState principal;  // no stepper moves it, so it keeps no momentum
   principal.attitude = state.attitude;
   principal.momentum_principal = moments.cwiseProduct(state.omega_principal);
   return describe(t, principal, state.omega_principal);

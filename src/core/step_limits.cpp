@@ -1,16 +1,17 @@
 #include "poinsot/core/step_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/invariants.h"
-#include "poinsot/core/no_convergence.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/pi.h"
 #include "poinsot/core/rotation.h"
 
@@ -20,27 +21,33 @@ namespace {
 using Eigen::Vector3d;
 using Grade = StepJudgement::Grade;
 
-constexpr double kHopeless = 1, kDoubtful = 0.1;  // rad a turn; the second of E as well
+constexpr double kHopeless = 1, kDoubtful = 0.1;  // errors of the attitude [rad]; kDoubtful also a relative one of E
 constexpr double kLost = 0.5;                     // of E, of the range of E at that |L|, of |L|
 constexpr double kClearlySmall = 0.02;  // of effort(): the error of a turn is then below 0.1 rad, even of first order
-constexpr double kMostTurned = 1e15;    // rad a step: beyond, the rounding of the angle alone is 0.1 rad
+constexpr double kMostTurned = 1e15;    // rad a step: above it, rounding the angle costs 0.1 rad or more
 constexpr int kMostSteps = 64;          // of a trial
+constexpr int kMostHalvings = 400;      // of a step under torques; trials of hopeless steps end soon
 
-std::string format(const char* text, double a, double b = 0) {
-  char out[160];
-  std::snprintf(out, sizeof out, text, a, b);
-  return out;
+/** Takes step n, counted from 0. Returns why the state cannot be used afterwards; empty where it can. */
+std::string takeStep(const Stepper& stepper, const Vector3d& moments, int n, double step, RotationState& state) {
+  try {
+    stepper.advance(state, n, step, 1);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  if (state.attitude.coeffs().allFinite() && state.omegaPrincipal(moments).allFinite()) return "";
+  return "the state becomes infinite or undefined after " + std::to_string(n + 1) + (n == 0 ? " step" : " steps");
 }
 
 /**
- * The radians that a step takes at the fastest rate of the orbit, times the wobbles to a turn, over which errors of E
- * add up.
+ * Returns the angle of a step at the fastest rate of the orbit [rad], times the number of wobbles in a turn where that
+ * is above 1: over those, errors of E add up.
  */
 double effort(const OrbitRates& rates, double step) {
   return rates.fastest() * step * (rates.wobble > rates.turn ? rates.wobble / rates.turn : 1);
 }
 
-/** A method at a step on the orbit of a body. */
+/** Tries a method on the orbit of a free body. */
 class Trial {
  public:
   Trial(const Method& method, const Vector3d& moments, const Vector3d& omega)
@@ -50,29 +57,27 @@ class Trial {
 
   const OrbitRates& rates() const { return rates_; }
 
-  /** Without largest_sound. @param step > 0 */
+  /** Returns the judgement of a step, without largest_sound. @param step [s], > 0. */
   StepJudgement at(double step) const {
     if (effort(rates_, step) < kClearlySmall) return {};
     if (rates_.turn * step > kMostTurned) {
-      return {Grade::hopeless,
-              format("the body turns by %.2g rad in a step, which doubles cannot tell from another angle",
-                     rates_.turn * step),
-              0};
+      return {Grade::hopeless, "the body turns by " + numberText(rates_.turn * step, 2) +
+                                   " rad in a step, which doubles cannot tell from another angle"};
     }
     Worst worst;
     for (const RotationState& place : places_) {
       runFrom(place, step, worst);
-      if (!worst.broken.empty()) return {Grade::hopeless, worst.broken, 0};
+      if (!worst.broken.empty()) return {Grade::hopeless, worst.broken};
     }
     return judgement(worst, step);
   }
 
  private:
   struct Worst {
-    double angle = 0;  ///< a turn, or a step where that is longer [rad]
-    double energy = 0, momentum = 0;
-    double energy_of_turn = 0;
-    std::string broken;
+    double angle = 0;                 ///< error of the attitude in a turn, or in a step where that is longer [rad]
+    double energy = 0, momentum = 0;  ///< relative errors of E and |L| in all steps
+    double energy_of_turn = 0;        ///< relative error of E in a turn
+    std::string broken;               ///< why a state could not be used
   };
 
   void add(const ClosedForm& orbit, double t) {
@@ -80,7 +85,7 @@ class Trial {
     places_.push_back(RotationState::fromOmega(moments_, state.attitude, state.omega_principal));
   }
 
-  /** Where to try: evenly along a period, and densely about the next flip, which may be a small part of it. */
+  /** Chooses where to try: evenly along a period, and densely about the next flip, which may be a small part of it. */
   void findPlaces(const Vector3d& omega) {
     const ClosedForm orbit(moments_, Eigen::Quaterniond::Identity(), omega);
     add(orbit, 0);
@@ -93,7 +98,7 @@ class Trial {
   }
 
   /**
-   * Attitudes are compared over a turn. E and |L| over more, where a step is so long that the smallest disturbance may
+   * Compares attitudes over a turn; E and |L| over more steps where a step is so long that the smallest disturbance may
    * grow from step to step.
    */
   void runFrom(const RotationState& place, double step, Worst& worst) const {
@@ -108,17 +113,8 @@ class Trial {
     const double lowest = 0.5, highest = 0.5 * moments_.maxCoeff() / moments_.minCoeff();
     RotationState state = place;
     for (int n = 1; n <= steps; ++n) {
-      try {
-        stepper_->advance(state, 0, step, 1);
-      } catch (const NoConvergence& error) {
-        worst.broken = error.what();
-        return;
-      }
-      if (!state.attitude.coeffs().allFinite() || !state.omegaPrincipal(moments_).allFinite()) {
-        worst.broken =
-            "the state becomes infinite or undefined after " + std::to_string(n) + (n == 1 ? " step" : " steps");
-        return;
-      }
+      worst.broken = takeStep(*stepper_, moments_, n - 1, step, state);
+      if (!worst.broken.empty()) return;
       worst.energy = std::max(worst.energy, kLost * std::abs(energyOf(state, scale) - energy) / tolerance);
       worst.momentum = std::max(worst.momentum, std::abs(state.momentum_principal.stableNorm() / scale - 1));
       if (n > compared) continue;
@@ -134,7 +130,7 @@ class Trial {
     }
   }
 
-  /** E μ_max/|L|², whatever the scale of the body. */
+  /** Returns E μ_max/|L|², which does not depend on the scale of the body. */
   double energyOf(const RotationState& state, double scale) const {
     const Vector3d p = state.momentum_principal / scale;
     return 0.5 * p.dot(p.cwiseQuotient(moments_ / moments_.maxCoeff()));
@@ -150,31 +146,29 @@ class Trial {
 
 StepJudgement Trial::judgement(const Worst& worst, double step) const {
   const double turned = rates_.turn * step;  // in a step [rad]
-  const std::string when = turned < 2 * kPi ? format("in a turn of the body (%.3g steps)", 2 * kPi / turned)
-                                            : format("in one step (%.3g turns of the body)", turned / (2 * kPi));
-  const std::string angle = "the attitude goes wrong by " + format("%.2g rad ", std::min(worst.angle, kPi)) + when;
-  if (!(worst.angle <= (turned > kPi ? kDoubtful : kHopeless))) return {Grade::hopeless, angle, 0};
-  const std::string within =
-      format(" within %.0f steps (%.2g turns of the body)", kMostSteps, kMostSteps * turned / (2 * kPi));
-  if (!(worst.energy <= kLost)) return {Grade::hopeless, "the kinetic energy goes wrong by more than half" + within, 0};
-  if (!(worst.energy_of_turn <= kLost))
-    return {Grade::hopeless, "the kinetic energy goes wrong by more than half " + when, 0};
-  if (!(worst.momentum <= kLost))
-    return {Grade::hopeless, "the angular momentum goes wrong by more than half" + within, 0};
-  if (worst.angle > kDoubtful) return {Grade::doubtful, angle, 0};
+  const std::string when = turned < 2 * kPi
+                               ? " in a turn of the body (" + numberText(2 * kPi / turned, 3) + " steps)"
+                               : " in one step (" + numberText(turned / (2 * kPi), 3) + " turns of the body)";
+  const std::string angle = "the attitude goes wrong by " + numberText(std::min(worst.angle, kPi), 2) + " rad" + when;
+  if (!(worst.angle <= (turned > kPi ? kDoubtful : kHopeless))) return {Grade::hopeless, angle};
+  const std::string within = " within " + std::to_string(kMostSteps) + " steps (" +
+                             numberText(kMostSteps * turned / (2 * kPi), 2) + " turns of the body)";
+  const std::string energy = "the kinetic energy goes wrong by ", half = "more than half";
+  if (!(worst.energy <= kLost)) return {Grade::hopeless, energy + half + within};
+  if (!(worst.energy_of_turn <= kLost)) return {Grade::hopeless, energy + half + when};
+  if (!(worst.momentum <= kLost)) return {Grade::hopeless, "the angular momentum goes wrong by " + half + within};
+  if (worst.angle > kDoubtful) return {Grade::doubtful, angle};
   if (worst.energy_of_turn > kDoubtful) {
-    return {Grade::doubtful, format("the kinetic energy goes wrong by %.0f %% ", 100 * worst.energy_of_turn) + when, 0};
+    return {Grade::doubtful, energy + numberText(100 * worst.energy_of_turn, 2) + " %" + when};
   }
   if (turned > kPi) {
-    return {
-        Grade::doubtful,
-        format("the body turns by %.3g rad in a step; it is followed only because its motion is so regular", turned),
-        0};
+    return {Grade::doubtful, "the body turns by " + numberText(turned, 3) +
+                                 " rad in a step; it is followed only because its motion is so regular"};
   }
   return {};
 }
 
-/** The longest step/2ᵏ that is sound; all below clearly small ones are. */
+/** Returns the longest step/2ᵏ that is sound; all that are clearly small are. */
 double largestSound(const Trial& trial, double step) {
   const double most = std::log2(effort(trial.rates(), 1)) + std::log2(step) - std::log2(kClearlySmall);
   int bad = 0, good = static_cast<int>(std::ceil(std::max(most, 0.0))) + 1;
@@ -185,11 +179,35 @@ double largestSound(const Trial& trial, double step) {
   return std::ldexp(step, -good);
 }
 
+/** Returns the judgement of a step of a body under torques, without largest_sound. */
+StepJudgement judgedAgainst(const Stepper& truth, const Stepper& stepper, const Vector3d& moments,
+                            const RotationState& start, double step) {
+  RotationState state = start, true_state = start;
+  double worst = 0;
+  for (int n = 0; n < kMostSteps; ++n) {
+    const std::string broken = takeStep(stepper, moments, n, step, state);
+    if (!broken.empty()) return {Grade::hopeless, broken};
+    truth.advance(true_state, n, step, 1);
+    if (!true_state.momentum_principal.allFinite()) {
+      return {Grade::hopeless, "it is so long that the motion cannot be followed in 262144 parts of it either"};
+    }
+    const double angle = angleBetween(state.attitude, true_state.attitude);
+    if (!(angle <= kHopeless)) {
+      return {Grade::hopeless, "the attitude goes wrong by more than 1 rad within " + std::to_string(n + 1) +
+                                   (n == 0 ? " step" : " steps")};
+    }
+    worst = std::max(worst, angle);
+  }
+  if (worst <= kDoubtful) return {};
+  return {Grade::doubtful, "the attitude goes wrong by " + numberText(worst, 2) + " rad within " +
+                               std::to_string(kMostSteps) + " steps"};
+}
+
 }  // namespace
 
 /**
  * On the orbit |Ω|² is greatest where Ω_b = 0 (b the axis of intermediate moment) if it gets there, and never above
- * what E and L say of that point: Ω_a² + Ω_c² + Ω_b² μ_b(μ_a + μ_c − μ_b)/(μ_a μ_c), a sum of positive terms.
+ * what E and L give for that point: Ω_a² + Ω_c² + Ω_b² μ_b(μ_a + μ_c − μ_b)/(μ_a μ_c), a sum of positive terms.
  */
 OrbitRates orbitRates(const Vector3d& moments, const Vector3d& omega) {
   const double size = omega.cwiseAbs().maxCoeff();
@@ -212,8 +230,23 @@ StepJudgement judgeStep(const Method& method, const Vector3d& moments, const Vec
     if (judgement.grade != Grade::sound) judgement.largest_sound = largestSound(trial, std::abs(step));
     return judgement;
   } catch (const std::exception& error) {
-    return {Grade::hopeless, error.what(), 0};
+    return {Grade::hopeless, error.what()};
   }
+}
+
+StepJudgement judgeStep(const Method& method, const Torques& torques, const Quaternion& attitude,
+                        const Vector3d& omega_principal, double step) {
+  if (method.cuts_steps) return {};
+  const Vector3d& moments = torques.moments();
+  RotationState start = RotationState::fromOmega(moments, attitude, omega_principal);
+  if (torques.slug()) start.slug_omega = omega_principal;
+  const auto stepper = method.make(torques), truth = findMethod("taylor24")->make(torques);
+  StepJudgement judgement = judgedAgainst(*truth, *stepper, moments, start, step);
+  for (int i = 0; judgement.grade != Grade::sound && judgement.largest_sound == 0 && i < kMostHalvings; ++i) {
+    step *= 0.5;
+    if (judgedAgainst(*truth, *stepper, moments, start, step).grade == Grade::sound) judgement.largest_sound = step;
+  }
+  return judgement;
 }
 
 }  // namespace poinsot

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
+#include <string>
+#include <vector>
 
+#include "poinsot/core/effects/text.h"
+#include "poinsot/core/number_text.h"
 #include "poinsot/core/rotation.h"
+#include "refuse.h"
 
 namespace poinsot {
 namespace {
@@ -12,14 +17,11 @@ namespace {
 constexpr std::size_t kMostFields = 3;
 constexpr double kMostObliquity = 1e-9;  // cosine of the angle between directions that are called perpendicular
 
-void require(bool condition, const char* what) {
-  if (!condition) throw std::invalid_argument(what);
-}
-
-Eigen::Vector3d direction(const Eigen::Vector3d& v, const char* what) {
+/** Returns v/|v|. @param name of v, for the message. */
+Eigen::Vector3d direction(const Eigen::Vector3d& v, const char* name) {
   const double norm = v.stableNorm();
-  if (!(norm > 0) || !std::isfinite(norm)) throw std::invalid_argument(std::string(what) + " has no direction");
-  return (v / norm).normalized();
+  if (norm > 0 && std::isfinite(norm)) return (v / norm).normalized();
+  refuse(std::string(name) + ": expected a vector of finite length other than 0, got " + effects::text(v));
 }
 
 }  // namespace
@@ -27,8 +29,11 @@ Eigen::Vector3d direction(const Eigen::Vector3d& v, const char* what) {
 Torques::Torques(const PrincipalInertia& inertia) : moments_(inertia.moments()), axes_(inertia.axes()) {}
 
 void Torques::addBetween(double from, double to, Axes axes, const Eigen::Vector3d& torque) {
-  require(torque.allFinite(), "a torque must be finite");
-  require(from < to, "a torque must end after it begins");
+  if (!torque.allFinite()) refuse("torque: expected finite numbers (N·m), got " + effects::text(torque));
+  if (!(from < to)) {
+    refuse("expected a torque that ends after it begins, got one from " + effects::text(from) + " s to " +
+           effects::text(to) + " s");
+  }
   const auto cut = [this](double t) {
     if (!std::isfinite(t)) return;
     const auto place = std::lower_bound(switches_.begin(), switches_.end(), t);
@@ -53,7 +58,10 @@ void Torques::addBetween(double from, double to, Axes axes, const Eigen::Vector3
 }
 
 void Torques::addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& force_world) {
-  require(lever.allFinite() && force_world.allFinite(), "a force and its lever must be finite");
+  if (!lever.allFinite() || !force_world.allFinite()) {
+    refuse("expected a finite force and a finite lever, got " + effects::text(force_world) + " N at " +
+           effects::text(lever) + " m");
+  }
   const Eigen::Matrix3d map = hat(principal(lever));
   for (Field& field : fields_) {
     if (field.world != force_world) continue;
@@ -62,7 +70,7 @@ void Torques::addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& forc
   }
   fields_.push_back({force_world, map});
   if (fields_.size() <= kMostFields) return;
-  // Every sum of them is one of three along the axes of the world.
+  // Any number of forces can be written as three, one along each axis of the world.
   std::vector<Field> along_axes;
   for (int i = 0; i < 3; ++i) along_axes.push_back({Eigen::Vector3d::Unit(i), Eigen::Matrix3d::Zero()});
   for (const Field& field : fields_) {
@@ -73,16 +81,21 @@ void Torques::addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& forc
 
 void Torques::addGravityGradient(double orbit_rate, const Eigen::Vector3d& normal,
                                  const Eigen::Vector3d& radial_at_start) {
-  require(!gradient_, "a body has one orbit");
-  require(orbit_rate > 0 && std::isfinite(orbit_rate), "orbit_rate must be positive and finite");
+  if (gradient_) refuse("expected at most one orbit of a body, got a second");
+  requirePositive(orbit_rate, "orbit_rate", "rad/s");
   const Eigen::Vector3d n = direction(normal, "orbit_normal"), given = direction(radial_at_start, "radial_at_start");
-  require(std::abs(n.dot(given)) <= kMostObliquity, "orbit_normal and radial_at_start must be perpendicular");
+  if (!(std::abs(n.dot(given)) <= kMostObliquity)) {
+    refuse("orbit_normal and radial_at_start must be perpendicular; the cosine of the angle between them is " +
+           numberText(n.dot(given)));
+  }
   const Eigen::Vector3d radial = (given - n.dot(given) * n).normalized();
   gradient_ = Gradient{orbit_rate, n, radial, n.cross(radial)};
 }
 
 void Torques::addDamping(const Eigen::Vector3d& coefficients) {
-  require(coefficients.allFinite() && coefficients.minCoeff() >= 0, "damping must be finite and not negative");
+  if (!coefficients.allFinite() || !(coefficients.minCoeff() >= 0)) {
+    refuse("coefficient: expected finite numbers (N·m·s) of at least 0, got " + effects::text(coefficients));
+  }
   if (!damping_) damping_ = Eigen::Matrix3d::Zero();
   if (axes_.vec().isZero(0)) {
     damping_->diagonal() += coefficients;
@@ -93,9 +106,11 @@ void Torques::addDamping(const Eigen::Vector3d& coefficients) {
 }
 
 void Torques::addSlug(double inertia, double damping) {
-  require(!slug_, "a body has one slug");
-  require(inertia > 0 && std::isfinite(inertia), "a slug's inertia must be positive and finite");
-  require(damping >= 0 && std::isfinite(damping), "damping must be finite and not negative");
+  if (slug_) refuse("expected at most one slug in a body, got a second");
+  requirePositive(inertia, "slug_inertia", "kg·m²");
+  if (!(damping >= 0) || !std::isfinite(damping)) {
+    refuse("damping: expected a finite number (N·m·s) of at least 0, got " + effects::text(damping));
+  }
   slug_ = Slug{inertia, damping};
 }
 
@@ -110,8 +125,7 @@ void Torques::requireFinite() const {
     finite = finite && std::isfinite(slug_->damping / slug_->inertia) && std::isfinite(slug_->damping / least);
   }
   if (finite) return;
-  throw std::invalid_argument(
-      "the torques together, or the accelerations that they give, are not finite in double precision");
+  refuse("the sum of the torques, or an acceleration that it gives, is not finite in double precision");
 }
 
 Eigen::Vector3d Torques::Gradient::radialAt(double t) const {

@@ -13,4 +13,8 @@ Eigen::Vector3d momentumSemiAxes(const Eigen::Vector3d& moments, double momentum
   return std::sqrt(momentum_squared) * moments.cwiseInverse();
 }
 
+double longestSemiAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal) {
+  return moments.cwiseProduct(omega_principal).stableNorm() / moments.minCoeff();
+}
+
 }  // namespace poinsot::view

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "poinsot/core/pi.h"
+#include "poinsot/view/curve.h"
+
 namespace poinsot::view {
 
 /** Cosine and sine of an angle in the first quarter, exact at its ends. */
@@ -13,33 +16,32 @@ struct Direction {
   double c, s;
 };
 
+/** Returns the direction at an angle that is `end_fraction` of a quarter turn. */
 inline Direction quarterDirection(double angle, double end_fraction) {
   if (end_fraction <= 0) return {1, 0};
   if (end_fraction >= 1) return {0, 1};
   return {std::cos(angle), std::sin(angle)};
 }
 
-/** Points a quarter of a curve gets out of `points` on the whole of it: a multiple of four, at least eight, rounded up.
- */
+/** Returns how many segments a quarter of a curve has for `points` on all of it, rounded up to a multiple of 4, ≥ 8. */
 inline int segmentsPerQuarter(int points) {
   return std::max(2, (points + 3) / 4);
 }
 
-/** Of a circle that straight lines between them are to stray from by no more than the tolerance, r(1 − cos π/n). */
+/** Returns how many points of a circle keep lines between them within the tolerance of it, r(1 − cos π/n). */
 inline double pointsOfCircle(double radius, double tolerance) {
   return std::ceil(3.15 * std::sqrt(radius / (2 * tolerance)));
 }
 
 /**
- * Directions 0 … π/2, `segments` + 1 of them, at which the curve point(c, s) is passed in steps of nearly equal arc
- * length; a share of them goes where the curve turns, so that narrow corners are round too.
+ * Returns `segments` + 1 directions from 0 to π/2 at which the points point(c, s) of a curve are nearly evenly spread
+ * in arc length, but denser where the curve turns, so that narrow corners are round too.
  *
- * Length and turning are those of a finer polyline. The points themselves are the caller's: this affects where on the
- * curve they lie, not whether they do.
+ * Length and turning are those of a finer polyline: they decide where on the curve the points lie, not whether they do.
  */
 template <class Point>
 std::vector<Direction> evenQuarter(int segments, const Point& point) {
-  constexpr double kQuarter = 1.57079632679489661923;
+  constexpr double kQuarter = kPi / 2;
   constexpr int kFiner = 16;
   constexpr double kForTurning = 0.3;
   const int n = segments * kFiner;
@@ -71,8 +73,7 @@ std::vector<Direction> evenQuarter(int segments, const Point& point) {
   return out;
 }
 
-/** A whole turn from a quarter, by reflection: c > 0 and s = 0 first, then counterclockwise; does not repeat the first.
- */
+/** Returns a whole turn from a quarter, by reflection: counterclockwise from s = 0, c > 0, which is not repeated. */
 inline std::vector<Direction> wholeTurn(const std::vector<Direction>& quarter) {
   const int n = static_cast<int>(quarter.size()) - 1;
   std::vector<Direction> out;
@@ -81,6 +82,14 @@ inline std::vector<Direction> wholeTurn(const std::vector<Direction>& quarter) {
   for (int k = n; k > 0; --k) out.push_back({-quarter[k].c, quarter[k].s});
   for (int k = 0; k < n; ++k) out.push_back({-quarter[k].c, -quarter[k].s});
   for (int k = n; k > 0; --k) out.push_back({quarter[k].c, -quarter[k].s});
+  return out;
+}
+
+/** Returns the closed curve of point(c, s) over a whole turn, whose quarters are alike. */
+template <class Point>
+Curve closedCurve(int points, const Point& point) {
+  Curve out{{}, true};
+  for (const Direction& d : wholeTurn(evenQuarter(segmentsPerQuarter(points), point))) out.points.push_back(point(d));
   return out;
 }
 

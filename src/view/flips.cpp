@@ -13,17 +13,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastSwing = 0.70710678118654752;  // cos 45°
 
 std::int64_t toCount(double whole) {
-  constexpr double kMost = 9007199254740992;  // 2⁵³: beyond it doubles skip whole numbers
+  constexpr double kMost = 9007199254740992;  // 2⁵³, beyond which doubles skip whole numbers
   return static_cast<std::int64_t>(std::fmax(-kMost, std::fmin(kMost, whole)));
 }
 
-/** Flips are at all times when + k·half, k whole. */
+/** Flips at equal intervals of half a period. */
 struct Beat {
   const ClosedForm& motion;
   double half;
 
   double toNext(double t) const { return motion.timeToNextFlip(t); }
-  /** > 0: at a flip, to the one before. */
+  /** Returns the time since the last flip, > 0; at a flip, since the one before. */
   double toLast(double t) const {
     const double last = half - toNext(t);
     return last > 0 ? last : last + half;
@@ -49,7 +49,7 @@ const char* textOfSteadySpin(const Eigen::Vector3d& moments, const Eigen::Vector
 
 double flipOnSeparatrix(const ClosedForm& motion) {
   if (motion.at(0).omega_principal[SortedAxes(motion.moments()).index[1]] == 0) return 0;
-  // Seen from a time before it, but from no earlier than it takes.
+  // Look from earlier and earlier times, until the flip lies ahead.
   double before = 0, left = motion.timeToNextFlip(0);
   for (double step = 1 / motion.precessionRate(); !std::isfinite(left) && std::isfinite(step); step *= 2) {
     before = -step;
@@ -62,7 +62,7 @@ double largestSwing(const ClosedForm& motion) {
   if (motion.regime() == ClosedForm::Regime::separatrix) return 1;
   if (motion.regime() == ClosedForm::Regime::steady) return 0;
   const SortedAxes axes(motion.moments());
-  if (axes.moment[0] == axes.moment[1] || axes.moment[1] == axes.moment[2]) return 0;
+  if (!axes.allDiffer()) return 0;
   const int a = motion.encircledAxis() == axes.index[0] ? 0 : 2, c = 2 - a;
   const auto& m = axes.moment;
   Eigen::Vector3d omega = motion.at(0).omega_principal;
@@ -89,7 +89,7 @@ Flips flipsOf(const ClosedForm& motion, double t, double direction) {
 
   const Beat beat{motion, motion.period() / 2};
   Flips out{true, 0, backwards ? beat.toLast(t) : next};
-  // From flip to flip there is a whole number of half periods; rounding makes it one.
+  // There is a whole number of half periods from flip to flip; round() removes errors of rounding.
   if (t > 0) out.since_start = toCount(std::round((t + next - beat.toNext(0)) / beat.half));
   if (t < 0) out.since_start = -toCount(std::round((-t + beat.toLast(t) - beat.toLast(0)) / beat.half));
   return out;

@@ -8,7 +8,7 @@ std::optional<Eigen::Vector3d> pointTowards(const Eigen::Vector3d& semi_axes, co
   if (!point.allFinite()) return std::nullopt;
   const double largest = point.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return std::nullopt;
-  // Of order one first: squares of what comes from outside leave the range of doubles.
+  // Scaled to order one, because squares of values from outside may leave the range of doubles.
   const Eigen::Vector3d u = (point / largest).cwiseQuotient(semi_axes / semi_axes.maxCoeff());
   return semi_axes.cwiseProduct(u.stableNormalized());
 }
@@ -26,7 +26,7 @@ std::optional<Eigen::Vector3d> pointInSight(const Eigen::Vector3d& semi_axes, co
   const Eigen::Vector3d nearest = e + along * d;
   const double deficit = 1 - nearest.squaredNorm();
   if (deficit > 0) return semi_axes.cwiseProduct((nearest - std::sqrt(deficit) * d).normalized());
-  // Where a line of sight in the same plane touches it: the rim.
+  // On the rim, where a line of sight in the same plane touches the ellipsoid.
   const double distance = e.stableNorm();
   const Eigen::Vector3d aside = d - d.dot(e / distance) * (e / distance);
   const double lean = 1 / distance;

@@ -6,18 +6,20 @@
 
 #include "even_spread.h"
 #include "poinsot/core/pi.h"
+#include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/flips.h"
 
 namespace poinsot::view {
 namespace {
 
 constexpr double kWholeTurn = 2 * kPi;   // rad
-constexpr int kPiecesPerTurn = 8;        // at least, of the body about L: from there on pieces are halved
-constexpr int kPiecesPerHalfPeriod = 8;  // at least
+constexpr int kPiecesPerTurn = 8;        // of the body about L, before pieces are halved
+constexpr int kPiecesPerHalfPeriod = 8;  // likewise
 constexpr int kMostHalvings = 12;
-constexpr double kProbe = 0.23;  // beside the middle, through which a chord across a bend may pass
+constexpr double kProbe =
+    0.23;  // of a piece: a second place to measure, because a chord may cross a bend in its middle
 
-/** Where the tip of ω is. */
+/** The tip of ω, as a function of time. */
 class Tip {
  public:
   Tip(const ClosedForm& motion, const InvariablePlane& plane) : motion_(motion), plane_(plane) {}
@@ -27,14 +29,14 @@ class Tip {
     return state.attitude * state.omega_principal;
   }
   double radius(double t) const { return onPlane(t).norm(); }
-  /** From the tip at one time to that at another, about L; −π … π. */
+  /** Returns the angle about L from the tip at one time to that at another [rad], −π … π. */
   double angle(double from, double to) const {
     const Eigen::Vector3d a = onPlane(from), b = onPlane(to);
     return std::atan2(a.cross(b).dot(plane_.normal), a.dot(b));
   }
 
  private:
-  /** From the plane's centre. */
+  /** Returns the place of the tip from the plane's centre [rad/s]. */
   Eigen::Vector3d onPlane(double t) const {
     const Eigen::Vector3d omega = (*this)(t);
     return omega - omega.dot(plane_.normal) * plane_.normal;
@@ -51,12 +53,12 @@ double distanceToChord(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const
   return (p - a - s * chord).norm();
 }
 
-/** Times after the first, up to `most`, between which straight lines are good enough. */
+/** Collects times, at most `most`, between which straight lines stay within the tolerance of the tip's curve. */
 class Spread {
  public:
   Spread(const Tip& tip, double tolerance, std::size_t most) : tip_(tip), tolerance_(tolerance), most_(most) {}
 
-  /** @return whether there was room for all of it. */
+  /** Adds those of an interval, but for its begin. @return whether there was room for all of it. */
   bool add(double begin, double end, double longest) {
     const double pieces = std::max(1.0, std::ceil((end - begin) / longest));
     double last = begin;
@@ -101,7 +103,7 @@ bool isCircle(const Herpolhode& h, double tolerance) {
   return h.outer - h.inner <= tolerance;
 }
 
-/** Through the outermost tip. */
+/** Draws the circle through the outermost tip. */
 void drawCircle(const Tip& tip, const InvariablePlane& plane, int points, Herpolhode& out) {
   const Eigen::Vector3d first = tip(out.start);
   for (int i = 0; i < points; ++i) {
@@ -122,7 +124,8 @@ void drawSeparatrix(const ClosedForm& motion, const Tip& tip, double tolerance, 
   for (const double t : spread.times()) out.curve.points.push_back(tip(t));
 }
 
-/** How many half periods, each turning by `angle`, bring a point at radius `outer` back; 0: none up to `most`. */
+/** Returns how many half periods, each turning by `angle`, bring a point at radius `outer` back; 0 where it takes more
+ * than `most`. */
 int halfPeriodsToClose(double angle, double outer, double tolerance, int most) {
   for (int n = 1; n <= most; ++n) {
     if (std::abs(std::remainder(n * angle, kWholeTurn)) * outer <= tolerance) return n;
@@ -144,8 +147,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
   const InvariablePlane plane = invariablePlane(motion);
   if (plane.normal.isZero(0)) return out;
   const Tip tip(motion, plane);
-  const Eigen::Vector3d momentum = motion.moments().cwiseProduct(motion.at(0).omega_principal);
-  const double stray = tolerance * (momentum.stableNorm() / motion.moments().minCoeff());
+  const double stray = tolerance * longestSemiAxis(motion.moments(), motion.at(0).omega_principal);
   const std::size_t most = static_cast<std::size_t>(std::max(32, most_points));
 
   if (motion.regime() == ClosedForm::Regime::steady) {
@@ -182,7 +184,7 @@ Herpolhode herpolhode(const ClosedForm& motion, int most_points, int most_half_p
       spread.add(out.start, out.start + half, std::min(turn_time / kPiecesPerTurn, half / kPiecesPerHalfPeriod));
   const std::vector<double>& times = spread.times();
   const int fit = whole ? static_cast<int>((most - 1) / times.size()) : 1;
-  // Whether it is half of Montgomery's angle or half a turn more: seen from where the tip is then.
+  // Measured, because it is half of Montgomery's angle or half a turn more.
   const double angle = tip.angle(out.start, out.start + half);
   const int closing = halfPeriodsToClose(angle, out.outer, stray, std::min(fit, most_half_periods));
   const int count = closing > 0 ? closing : std::max(1, std::min(fit, most_half_periods));

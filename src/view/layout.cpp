@@ -12,7 +12,7 @@ constexpr double kPictureWidth = 2.6;  // a picture of radius 1 m and room for i
 constexpr double kTip = 0.25;          // rad, of the intermediate axis towards the viewer
 constexpr double kTurn = 0.6;          // rad, of the axis that the polhode goes round, away from the viewer
 
-/** Principal axes → world. */
+/** Returns the rotation principal axes → world. */
 Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime, const Eigen::Vector3d& omega,
                                    const Eigen::Vector3d& omega_later) {
   const auto [small, middle, large] = ascendingAxes(moments);
@@ -23,7 +23,7 @@ Eigen::Quaterniond facingTheViewer(const Eigen::Vector3d& moments, Regime regime
   r(2, middle) = 1;
   r(1, side) = 1;
   if (r.determinant() < 0) r(1, side) = -1;
-  if (r(1, side) * omega_later[side] > 0) {  // +y is what kTurn turns away
+  if (r(1, side) * omega_later[side] > 0) {  // kTurn turns +y away from the viewer
     r(1, side) = -r(1, side);
     r(2, middle) = -1;
   }

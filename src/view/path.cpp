@@ -25,7 +25,7 @@ void Path::add(const Eigen::Vector3d& point) {
     }
   }
   const Eigen::Vector3d way = point - pieces_.back().back();
-  if (!pending_ && way.norm() > tolerance_) {  // before that it has no direction to speak of
+  if (!pending_ && way.norm() > tolerance_) {  // nearer, its direction is not known yet
     heading_ = way.normalized();
     pending_ = true;
   }

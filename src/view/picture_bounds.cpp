@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "poinsot/view/ellipsoids.h"
+
 namespace poinsot::view {
 namespace {
 
@@ -12,8 +14,8 @@ constexpr double kMostSteps = 1e5;
 
 void extend(PictureBounds& reach, const Motion& motion, const MotionState& state) {
   const PrincipalInertia& inertia = motion.setup().inertia;
-  const Eigen::Vector3d momentum = inertia.moments().cwiseProduct(inertia.toPrincipal(state.omega_body));
-  reach.semi_axis = std::max(reach.semi_axis, momentum.stableNorm() / inertia.moments().minCoeff());
+  reach.semi_axis =
+      std::max(reach.semi_axis, longestSemiAxis(inertia.moments(), inertia.toPrincipal(state.omega_body)));
   reach.momentum = std::max(reach.momentum, state.momentum_world.stableNorm());
   reach.torque = std::max(reach.torque, externalTorque(motion, state).stableNorm());
   reach.omega_later = state.omega_body;
@@ -49,7 +51,7 @@ PictureBounds pictureBoundsOf(Motion motion) {
       extend(reach, motion, motion.at(t));
       if (t <= kBoundsSoon) soon = reach;
     }
-  } catch (const std::runtime_error&) {  // there are no more states than these
+  } catch (const std::runtime_error&) {  // the motion ends here
   }
   reach.semi_axis = clamped(reach.semi_axis, soon.semi_axis);
   reach.momentum = clamped(reach.momentum, soon.momentum);

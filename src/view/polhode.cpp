@@ -17,14 +17,7 @@ Curve mirrored(const Curve& curve) {
   return out;
 }
 
-template <class Point>
-Curve closedCurve(int points, const Point& point) {
-  Curve out{{}, true};
-  for (const Direction& d : wholeTurn(evenQuarter(segmentsPerQuarter(points), point))) out.points.push_back(point(d));
-  return out;
-}
-
-/** Half of a closed curve, from c = 1 over s = 1 to c = −1, both ends included. */
+/** Returns half of a closed curve, from c = 1 over s = 1 to c = −1, both ends included. */
 template <class Point>
 Curve openArc(int points, const Point& point) {
   const std::vector<Direction> quarter = evenQuarter(2 * segmentsPerQuarter(points), point);
@@ -64,7 +57,7 @@ class Loop {
     waist_a_ = d / root(m[a], ab);
   }
 
-  /** In the caller's order of axes. */
+  /** Returns the point at φ, (c, s) = (cos φ, sin φ), in the caller's order of axes. */
   Eigen::Vector3d operator()(const Direction& d) const {
     Eigen::Vector3d out;
     out[ia_] = std::copysign(std::hypot(size_a_ * d.c, waist_a_ * d.s), size_a_);
@@ -78,9 +71,9 @@ class Loop {
   double size_a_, size_b_, size_c_, waist_a_;
 };
 
-/** The sign of F − 2Eμ₂ from sorted components. */
+/** Returns the sign of F − 2Eμ₂. @param omega sorted components of Ω. */
 int sideOfSeparatrix(const SortedAxes& axes, const Eigen::Vector3d& omega) {
-  // Scaled (exactly) by the larger of the two components that count, or both squares may underflow.
+  // Scaled exactly by the larger of the two components, whose squares might otherwise both underflow.
   const int exponent = std::ilogb(std::max(std::abs(omega[0]), std::abs(omega[2])));
   const long double o0 = std::ldexp(omega[0], -exponent), o2 = std::ldexp(omega[2], -exponent);
   const long double i0 = axes.moment[0], i1 = axes.moment[1], i2 = axes.moment[2];
@@ -92,7 +85,7 @@ Polhode steady(const Eigen::Vector3d& omega) {
   return {Regime::axis_spin, {Curve{{omega}, false}, Curve{{-omega}, false}}};
 }
 
-/** Two equal moments; `a` is the place of the third. */
+/** Returns the polhode for two equal moments. @param a the place of the third among the sorted axes. */
 Polhode symmetric(const SortedAxes& axes, const Eigen::Vector3d& sorted, const Eigen::Vector3d& omega, int a,
                   int points) {
   const int c = 2 - a;
@@ -118,11 +111,11 @@ Polhode onSeparatrix(const SortedAxes& axes, const Eigen::Vector3d& sorted, int 
   return {Regime::separatrix, {own, mirrored(own), other, mirrored(other)}};
 }
 
-/** For |Ω| about 1. */
+/** Returns the polhode for |Ω| about 1. */
 Polhode scaledPolhode(const SortedAxes& axes, const Eigen::Vector3d& omega, int points) {
   const auto& m = axes.moment;
   if (m[0] == m[2]) return {Regime::sphere, {}};
-  const Eigen::Vector3d sorted(omega[axes.index[0]], omega[axes.index[1]], omega[axes.index[2]]);
+  const Eigen::Vector3d sorted = axes.sorted(omega);
   if (m[0] == m[1]) return symmetric(axes, sorted, omega, 2, points);
   if (m[1] == m[2]) return symmetric(axes, sorted, omega, 0, points);
   if ((sorted.array() == 0).count() == 2) return steady(omega);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "even_spread.h"
+#include "poinsot/core/pi.h"
 #include "poinsot/view/polhode.h"
 #include "poinsot/view/separatrix.h"
 #include "sorted_axes.h"
@@ -11,10 +12,10 @@
 namespace poinsot::view {
 namespace {
 
-constexpr double kQuarter = 1.57079632679489661923;
+constexpr double kQuarter = kPi / 2;
 constexpr int kFine = 512;
 
-/** The momentum ellipsoid, longest semi-axis 1, where it meets the plane of axes 1 and 3. */
+/** The section of the momentum ellipsoid, longest semi-axis 1, by the plane of axes 1 and 3. */
 class Meridian {
  public:
   explicit Meridian(const SortedAxes& axes) : axes_(axes), long_(1), short_(axes.moment[0] / axes.moment[2]) {
@@ -22,12 +23,9 @@ class Meridian {
     for (int i = 1; i <= kFine; ++i) length_[i] = length_[i - 1] + (at(angle(i)) - at(angle(i - 1))).norm();
   }
 
-  /** From the end of axis 1, angle 0, to that of axis 3. In the caller's order of axes. */
+  /** Returns the point at an angle, 0 at the end of axis 1 and π/2 at that of axis 3; in the caller's order of axes. */
   Eigen::Vector3d at(double angle) const {
-    Eigen::Vector3d out = Eigen::Vector3d::Zero();
-    out[axes_.index[0]] = long_ * std::cos(angle);
-    out[axes_.index[2]] = short_ * std::sin(angle);
-    return out;
+    return axes_.inCallersOrder({long_ * std::cos(angle), 0, short_ * std::sin(angle)});
   }
 
   double lengthTo(double angle) const {
@@ -51,7 +49,7 @@ class Meridian {
   std::vector<double> length_;
 };
 
-/** Of an ellipse with a semi-axis of at most `radius`. */
+/** Returns how many points an ellipse with a semi-axis of at most `radius` needs. */
 int pointsFor(double radius, double tolerance) {
   return static_cast<int>(pointsOfCircle(radius, tolerance));
 }
@@ -72,17 +70,13 @@ PolhodeFamily polhodeFamily(const Eigen::Vector3d& moments, const Eigen::Vector3
   const double largest = omega_principal.cwiseAbs().maxCoeff();
   if (!(largest > 0) || m[0] == m[2]) return out;
   const Meridian meridian(axes);
-  const auto sorted = [&](const Eigen::Vector3d& v) {
-    return Eigen::Vector3d(v[axes.index[0]], v[axes.index[1]], v[axes.index[2]]);
-  };
-  // Of a momentum Λ with |Λ| = μmin, so that the longest semi-axis |Λ|/μmin is 1.
-  Eigen::Vector3d momentum = sorted(moments).cwiseProduct(sorted(omega_principal) / largest);
+  // Λ scaled to |Λ| = μmin, so that the longest semi-axis |Λ|/μmin is 1; `unit` is that semi-axis.
+  Eigen::Vector3d momentum = axes.sorted(moments).cwiseProduct(axes.sorted(omega_principal) / largest);
+  const double unit = (momentum.stableNorm() / moments.minCoeff()) * largest;
   momentum *= m[0] / momentum.stableNorm();
-  const double unit =
-      (sorted(moments).cwiseProduct(sorted(omega_principal) / largest).stableNorm() / moments.minCoeff()) * largest;
 
-  // Where a polhode crosses, told by e = (2E − F/μ₃)/(F/μ₁ − F/μ₃), 1 at the end of axis 1 and 0 at that of axis 3:
-  // there Λ₁² = F e. On the separatrix 2E = F/μ₂.
+  // A polhode crosses the section at a place given by e = (2E − F/μ₃)/(F/μ₁ − F/μ₃), 1 at the end of axis 1 and 0 at
+  // that of axis 3: there Λ₁² = F e. On the separatrix 2E = F/μ₂.
   const auto crossing = [](double e) { return std::acos(std::sqrt(std::clamp(e, 0.0, 1.0))); };
   const double i21 = m[0] * (m[2] - m[1]) / (m[1] * (m[2] - m[0]));  // e of the separatrix
   const double share1 = std::pow(momentum[0] / m[0], 2), share2 = std::pow(momentum[1] / m[0], 2);
@@ -113,7 +107,7 @@ PolhodeFamily polhodeFamily(const Eigen::Vector3d& moments, const Eigen::Vector3
   if (m[0] < m[1]) add(m[1] < m[2] ? border : 0, meridian.length());
   scale(out.members, unit);
 
-  if (m[0] < m[1] && m[1] < m[2]) {
+  if (axes.allDiffer()) {
     // On the separatrix 2E = F/μ₂; here F = μmin².
     const double smallest = moments.minCoeff();
     out.separatrix = separatrix(moments, 0.5 * smallest * (m[0] / m[1]), pointsFor(1, tolerance));

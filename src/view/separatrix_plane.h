@@ -15,7 +15,7 @@ namespace poinsot::view {
  */
 class SeparatrixPlane {
  public:
-  /** @param root √(2E) [for the moments as scaled in `axes`]; @param sign1, sign3: of Ω₁ and Ω₃ where s > 0. */
+  /** @param root √(2E), for the moments as scaled in `axes`. @param sign1,sign3 of Ω₁ and Ω₃ where s > 0. */
   SeparatrixPlane(const SortedAxes& axes, double root, double sign1, double sign3) : axes_(axes) {
     const auto& m = axes.moment;
     const double common = root / std::sqrt(m[2] - m[0]);
@@ -23,13 +23,9 @@ class SeparatrixPlane {
              sign3 * common * (std::sqrt(m[1] - m[0]) / std::sqrt(m[2]))};
   }
 
-  /** In the caller's order of axes. */
+  /** Returns the point in the direction (c, s), in the caller's order of axes. */
   Eigen::Vector3d operator()(const Direction& d) const {
-    Eigen::Vector3d out;
-    out[axes_.index[0]] = d.s * size_[0];
-    out[axes_.index[1]] = d.c * size_[1];
-    out[axes_.index[2]] = d.s * size_[2];
-    return out;
+    return axes_.inCallersOrder({d.s * size_[0], d.c * size_[1], d.s * size_[2]});
   }
 
  private:

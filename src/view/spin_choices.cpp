@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "poinsot/core/pi.h"
 #include "poinsot/view/ellipsoids.h"
 #include "poinsot/view/grasp.h"
 #include "separatrix_plane.h"
@@ -11,17 +12,17 @@
 namespace poinsot::view {
 namespace {
 
-constexpr double kRadian = 0.017453292519943296;  // of a degree
-constexpr double kNearStableAxis = 12 * kRadian;
-constexpr double kNearUnstableAxis = 1.5 * kRadian;
-constexpr double kAlongSeparatrix = 15 * kRadian;
-constexpr int kUlps = 64;  // how far around the best place on the separatrix is looked for
+constexpr double kDegree = kPi / 180;
+constexpr double kNearStableAxis = 12 * kDegree;
+constexpr double kNearUnstableAxis = 1.5 * kDegree;
+constexpr double kAlongSeparatrix = 15 * kDegree;
+constexpr int kUlps = 64;  // units in the last place within which the place nearest to the separatrix is looked for
 
 double signOf(double x) {
   return x < 0 ? -1 : 1;
 }
 
-/** How far off the separatrix, in the order of `axes`; more digits than a double has. */
+/** Returns how far Ω is off the separatrix, with more digits than a double has. */
 long double residual(const SortedAxes& axes, const Eigen::Vector3d& omega) {
   const long double i1 = axes.moment[0], i2 = axes.moment[1], i3 = axes.moment[2];
   const long double o1 = omega[axes.index[0]], o3 = omega[axes.index[2]];
@@ -61,9 +62,7 @@ Eigen::Vector3d nearAxis(const Eigen::Vector3d& moments, const Eigen::Vector3d& 
 
 Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, ConservedQuantity keep) {
   const SortedAxes axes(moments);
-  if (!(axes.moment[0] < axes.moment[1] && axes.moment[1] < axes.moment[2])) {
-    throw std::invalid_argument("two moments are equal: there is no separatrix");
-  }
+  if (!axes.allDiffer()) throw std::invalid_argument("two moments are equal: there is no separatrix");
   // On the stable half of the arc, where Ω leaves the end of the axis: Ω̇₂ has the sign of (μ₃−μ₁)Ω₃Ω₁, so Ω₂ < 0 there
   // for Ω₁Ω₃ > 0 in a right-handed order of axes; the other way round in a left-handed one.
   const int i1 = axes.index[0], i2 = axes.index[1], i3 = axes.index[2];
@@ -71,11 +70,9 @@ Eigen::Vector3d onSeparatrix(const Eigen::Vector3d& moments, const Eigen::Vector
   const double s1 = signOf(omega[i1]), s2 = signOf(omega[i2]);
   const double s3 = s1 * (right_handed ? -s2 : s2);
   const SeparatrixPlane plane(axes, 1, s1, s3);
-  Direction direction;
-  direction.c = s2 * std::cos(kAlongSeparatrix);
-  direction.s = std::sin(kAlongSeparatrix);
+  const Direction direction{s2 * std::cos(kAlongSeparatrix), std::sin(kAlongSeparatrix)};
   Eigen::Vector3d best = *pointTowards(keptSemiAxes(moments, omega, keep), plane(direction));
-  // Ω₃ alone, and then E and |L| with it, is moved by a few last bits.
+  // Only Ω₃ is moved, by a few last bits, and E and |L| with it.
   Eigen::Vector3d trial = best;
   for (int i = 0; i < kUlps; ++i) trial[i3] = std::nextafter(trial[i3], -HUGE_VAL);
   for (int i = 0; i < 2 * kUlps; ++i) {

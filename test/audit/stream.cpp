@@ -134,7 +134,7 @@ Truth drivenBody(const Matrix3d& tensor, const Quaterniond& attitude, const Vect
       const int steps = static_cast<int>(std::ceil((end - *time) / step));
       const double h = (end - *time) / steps;
       for (int i = 0; i < steps; ++i) {
-        // Within the step, and not at its ends, is what acts there.
+        // The torque of a step is that inside it, because a torque may switch at its ends.
         const double a = *time + i * h, inside = 1e-9 * h;
         const Now k1 = rate(a + inside, *now), k2 = rate(a + 0.5 * h, *now + 0.5 * h * k1);
         const Now k3 = rate(a + 0.5 * h, *now + 0.5 * h * k2), k4 = rate(a + h - inside, *now + h * k3);

@@ -6,7 +6,7 @@
 
 #include "poinsot/audit/audit.h"
 
-/** Synthetic recordings: what a node would send, made without any code of the project but its messages. */
+/** Synthetic recordings of a node, made without any code of the project but its messages. */
 namespace poinsot::test {
 
 struct Moment {
@@ -25,15 +25,15 @@ Truth symmetricTop(double a, double c, const Eigen::Quaterniond& attitude, const
 Truth anyBody(const Eigen::Matrix3d& tensor, const Eigen::Quaterniond& attitude, const Eigen::Vector3d& omega_body,
               double step = 1e-4, const Eigen::Vector3d& torque_world = Eigen::Vector3d::Zero());
 
-/** What acts on a body from outside at a time, body axes [N·m]; and a slug inside, of inertia J and damping c. */
+/** The torque on a body from outside, body axes [N·m]; and a slug inside, of inertia J and damping c. */
 struct Driven {
   std::function<Eigen::Vector3d(double, const Moment&)> torque = [](double, const Moment&) {
     return Eigen::Vector3d(0, 0, 0);
   };
   double slug_inertia = 0, slug_damping = 0;
   std::vector<double> switches;  ///< times at which a torque sets in or ends; steps end there
-  bool slug_at_rest = false;     ///< it starts with σ = 0, not Ω
-  bool slug_turned = true;       ///< false: Ω×σ is forgotten
+  bool slug_at_rest = false;     ///< whether it starts with σ = 0, not Ω
+  bool slug_turned = true;       ///< whether the term Ω×σ is there
 };
 
 /** The same with torques; forwards. */
@@ -66,7 +66,7 @@ struct BodySetup {
   Eigen::Matrix3d tensor() const;
 };
 
-/** All messages of one body; tests spoil them one at a time. */
+/** All messages of one body, which tests spoil one at a time. */
 struct Stream {
   BodySetup setup;
   BodyDescription description;
@@ -80,7 +80,7 @@ struct Stream {
 
   Stream(const BodySetup& setup, const Truth& truth, const std::vector<Tick>& ticks);
 
-  /** Something turns the body: its ellipsoids change. */
+  /** Returns whether an effect turns the body, so that its ellipsoids change. */
   bool driven() const;
   visualization_msgs::Marker& drawn(const std::string& what);
   void feed(audit::Audit& audit) const;

@@ -33,7 +33,7 @@ void expectPass(const Report& report) {
   EXPECT_TRUE(report.passed()) << print(report);
 }
 
-/** Exactly these checks fail, and one of them says this (a regular expression). */
+/** Expects that exactly these checks fail, one of them with a detail that matches `words`, a regular expression. */
 void expectFailures(const Report& report, const std::set<std::string>& names, const std::string& words) {
   std::set<std::string> failed;
   bool said = false;
@@ -49,7 +49,7 @@ const char* const kRotation = "dR/dstamp = time_rate R hat(omega)";
 const char* const kTime = "time advances by time_rate";
 const char* const kDriftFields = "energy_drift and momentum_drift";
 
-// What must pass.
+// Streams that must pass.
 
 TEST(Correct, AsymmetricBody) {
   const Report report = asymmetric().judged();
@@ -216,7 +216,7 @@ TEST(Correct, AClockThatJumpsBackAsItIsRecorded) {
                  "model/omega is drawn at");
 }
 
-/** A bag that is played in a loop sends the same messages again; whoever records that may join at any time. */
+/** A bag that is played in a loop sends the same messages again; a recording of that may begin at any time. */
 TEST(Correct, ARecordingPlayedInALoop) {
   const Stream once = clockLoops(2, 3000000, true);
   for (const std::size_t joined : {0, 80}) {
@@ -261,7 +261,7 @@ TEST(Correct, LieEulerAtAFineStep) {
   expectPass(Stream(setup, lieEuler(setup.moments, kTilted, kOmega, setup.step), steadily(60)).judged());
 }
 
-// What must fail, and how.
+// Streams that must fail, and how.
 
 TEST(Wrong, EnergyWithoutItsHalf) {
   Stream stream = asymmetric();
@@ -390,7 +390,7 @@ TEST(Wrong, QuaternionNotUnit) {
   stream.states[30].attitude.x *= 1 + 1e-9;
   stream.states[30].attitude.y *= 1 + 1e-9;
   stream.states[30].attitude.z *= 1 + 1e-9;
-  expectFailures(stream.judged(), {"unit quaternions"}, "state: the quaternion's norm is 1\\.00000000");
+  expectFailures(stream.judged(), {"unit quaternions"}, "state: expected a unit quaternion, got the norm 1\\.00000000");
 }
 
 TEST(Wrong, NotFinite) {
@@ -457,7 +457,7 @@ TEST(Wrong, AClockThatJumpsBackAndOneMessageThatIsWrong) {
   Stream stream = clockLoops(3, 3000000, true);
   std::swap(stream.tf[70], stream.tf[71]);
   expectFailures(stream.judged(), {"stamps never decrease"},
-                 "tf of wingnut: 3 stamps lie before the one before, and the clock jumped back 2 times");
+                 "tf of wingnut: 3 stamps lie before the previous one, and the clock jumped back 2 times");
   stream = clockLoops(1, 0, true);
   for (std::size_t i = 0; i < stream.states.size(); ++i) stream.states[i].segment = i % 2;
   EXPECT_FALSE(stream.judged().find("segments never decrease")->passed);
@@ -485,7 +485,7 @@ TEST(Wrong, EnergyDriftsMoreThanTheMethodAllows) {
   EXPECT_FALSE(report.find("|L| conserved")->passed) << print(report);
 }
 
-/** Lie-Euler does what it can, but not what ground truth asks. */
+/** Lie-Euler keeps to its own bound, but not to the ceiling for ground truth. */
 TEST(Wrong, LieEulerAtACoarseStep) {
   BodySetup setup;
   setup.method = "lie_euler";
@@ -533,7 +533,7 @@ TEST(Wrong, AttitudeError) {
                  "says 1e-14 rad at t = 0\\.333333 s, more than method");
   expectFailures(spoilt("closed_form", NAN), {"attitude_error"}, "NaN under the closed form itself");
   expectFailures(spoilt("rk4", 1e-6), {"attitude_error"}, "more than method rk4 allows");
-  expectFailures(spoilt("rk4", -1e-15), {"attitude_error"}, "negative");
+  expectFailures(spoilt("rk4", -1e-15), {"attitude_error"}, "attitude_error: expected at least 0, got -1e-15 rad");
   expectFailures(spoilt("rk4", INFINITY), {"attitude_error"}, "says inf rad");
   expectFailures(spoilt("unheard_of", 3.2), {"attitude_error"}, "more than method unheard_of allows \\(3\\.14\\)");
 }

@@ -35,7 +35,7 @@ void expectPass(const Report& report, const std::vector<std::string>& with) {
   for (const std::string& name : with) EXPECT_NE(report.find(name), nullptr) << name << "\n" << print(report);
 }
 
-/** These checks fail, perhaps with others. */
+/** Expects that these checks fail, perhaps with others. */
 void expectFailures(const Report& report, const std::vector<std::string>& names, const char* words = "") {
   bool said = false;
   for (const audit::Check& check : report.failures()) {
@@ -49,7 +49,7 @@ void expectFailures(const Report& report, const std::vector<std::string>& names,
   }
 }
 
-/** A body, what its description says of effects, and what acts on it in truth. */
+/** A body, the effects in its description, and the torques that do act on it. */
 struct Scene {
   std::vector<std::string> effects;
   Driven driven;
@@ -81,7 +81,7 @@ struct Scene {
   }
 };
 
-/** All that is wrong with a torque, whatever its kind: 1 % too strong, wrong in sign, not there, not described. */
+/** Faults of a torque of any kind: 1 % too strong, wrong in sign, missing, not described. */
 void expectWrongOnesCaught(const Scene& scene) {
   {
     SCOPED_TRACE("1 % too strong");
@@ -338,7 +338,8 @@ TEST(Several, AddUp) {
 TEST(Fields, AttitudeErrorIsNaNUnderTorques) {
   Stream stream = withSlug().stream();
   stream.states[10].attitude_error = 0;
-  expectFailures(stream.judged(), {"attitude_error"}, "under torques there is no closed form");
+  expectFailures(stream.judged(), {"attitude_error"},
+                 "attitude_error: expected NaN under torques, without a closed form, got ");
 }
 
 TEST(Fields, Drifts) {
@@ -357,10 +358,10 @@ TEST(Fields, TimeRate) {
 TEST(Fields, MethodsThatDoNotFit) {
   Scene scene = withSlug();
   scene.method = "closed_form";
-  expectFailures(scene.judged(), {"effects"}, "the closed form is a free body's motion");
+  expectFailures(scene.judged(), {"effects"}, "closed_form moves only free bodies, but the description names torques");
   Scene free;
   free.method = "taylor16";
-  expectFailures(free.judged(), {"effects"}, "taylor16 moves bodies under torques, and the description names none");
+  expectFailures(free.judged(), {"effects"}, "method taylor16 needs torques, but the description names none");
 }
 
 TEST(Fields, PauseAndBackwards) {
@@ -397,7 +398,7 @@ TEST(Markers, EllipsoidsOfTheMoment) {
                  {"energy ellipsoid (space)", "momentum ellipsoid (model)", "omega on both ellipsoids (model)"});
   Stream one_missing = right;
   one_missing.markers[50].markers.erase(one_missing.markers[50].markers.begin() + 2);
-  expectFailures(one_missing.judged(), {"energy ellipsoid (space)"}, "1 states in between have no ellipsoid");
+  expectFailures(one_missing.judged(), {"energy ellipsoid (space)"}, "1 states between others have no ellipsoid");
   Stream fixed = right;
   for (auto& message : fixed.markers) {
     for (std::size_t i = 2; i < message.markers.size(); ++i) fixed.markers_static.markers.push_back(message.markers[i]);
@@ -405,7 +406,8 @@ TEST(Markers, EllipsoidsOfTheMoment) {
     break;
   }
   for (auto& marker : fixed.markers_static.markers) marker.header.stamp = ros::Time();
-  expectFailures(fixed.judged(), {"energy ellipsoid (space)"}, "does not change, of a body whose energy");
+  expectFailures(fixed.judged(), {"energy ellipsoid (space)"},
+                 "an ellipsoid does not change although the body's energy and momentum do");
 }
 
 TEST(Texts, CannotBeRead) {
@@ -413,23 +415,25 @@ TEST(Texts, CannotBeRead) {
     const std::string problem = audit::readEffects({text}).problem;
     EXPECT_TRUE(std::regex_search(problem, std::regex(why))) << problem;
   };
-  says("magnetism: field [0, 0, 1]", "\"magnetism: field \\[0, 0, 1\\]\" cannot be read: no such type is known here");
-  says("constant_torque", "no \"type: \" at its start");
-  says("constant_torque: frame world", "\"torque\" is missing");
-  says("constant_torque: frame orbit, torque [0, 0, 1]", "frame \"orbit\" is neither body nor world");
-  says("constant_torque: frame body, torque [0, 0, nan]", "\"nan\" is not a finite number");
-  says("constant_torque: frame body, torque [0, 0]", "is not \\[x, y, z\\]");
-  says("constant_torque: frame body, torque [0, 0, 1], until 3", "\"until\" is no key of it");
-  says("constant_torque: frame body, frame body, torque [0, 0, 1]", "\"frame\" is there twice");
-  says("viscous_damping: coefficient -1", "a negative coefficient");
-  says("gravity_gradient: orbit_rate 1, orbit_normal [0, 0, 1], radial_at_start [0, 1, 1]", "not perpendicular");
-  says("torque_schedule: from 2, to 1, frame body, torque [0, 0, 1]", "\"to\" is not after \"from\"");
-  says("internal_dissipation: slug_inertia 0, damping 1", "\"slug_inertia\" is not positive");
+  says("magnetism: field [0, 0, 1]", "\"magnetism: field \\[0, 0, 1\\]\" cannot be read: unknown type \"magnetism\"");
+  says("constant_torque", "expected \"type: \" at the start");
+  says("constant_torque: frame world", "key \"torque\" is missing");
+  says("constant_torque: frame orbit, torque [0, 0, 1]", "frame: expected body or world, got \"orbit\"");
+  says("constant_torque: frame body, torque [0, 0, nan]", "expected a finite number, got \"nan\"");
+  says("constant_torque: frame body, torque [0, 0]", "expected \\[x, y, z\\], got \"\\[0, 0\\]\"");
+  says("constant_torque: frame body, torque [0, 0, 1], until 3", "unknown key \"until\"");
+  says("constant_torque: frame body, frame body, torque [0, 0, 1]", "key \"frame\" is given twice");
+  says("viscous_damping: coefficient -1", "coefficient: expected at least 0, got -1");
+  says("gravity_gradient: orbit_rate 1, orbit_normal [0, 0, 1], radial_at_start [0, 1, 1]",
+       "orbit_normal and radial_at_start are not perpendicular");
+  says("torque_schedule: from 2, to 1, frame body, torque [0, 0, 1]",
+       "to: expected a time after from \\(2 s\\), got 1 s");
+  says("internal_dissipation: slug_inertia 0, damping 1", "slug_inertia: expected a positive number, got 0");
   EXPECT_EQ(audit::readEffects({"viscous_damping: coefficient [0.1, 0.2, 1e-3]"}).problem, "");
 
   Scene scene = withSlug();
   scene.effects.push_back("magnetism: field [0, 0, 1]");
-  expectFailures(scene.judged(), {"effects"}, "no such type is known here");
+  expectFailures(scene.judged(), {"effects"}, "unknown type");
 }
 
 TEST(Texts, TranslationIsThatOfTheDescription) {

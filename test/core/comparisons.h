@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-/** Comparisons that add no roundoff of their own to that of what they compare. */
+/** Comparisons in long double, whose own roundoff is negligible. */
 namespace poinsot {
 
 using Real = long double;
@@ -18,7 +18,7 @@ inline RealVector4 alignedWith(const RealVector4& a, const RealVector4& b) {
   return a.dot(b) < 0 ? RealVector4(-b) : b;
 }
 
-/** The angle of the rotation from a to b [rad], whatever their lengths and signs. */
+/** Returns the angle of the rotation from a to b [rad]; lengths and signs do not matter. */
 template <class A, class B>
 double angle(const Eigen::QuaternionBase<A>& a, const Eigen::QuaternionBase<B>& b) {
   const RealVector4 p = a.coeffs().template cast<Real>().stableNormalized();

@@ -50,7 +50,7 @@ Eigen::Vector3d direction();
 Eigen::Vector3d moments();
 
 /**
- * Any of these: no particular Ω, tiny and vanishing components, near the separatrix to 1e-17 of Ω, near an axis to
+ * Bodies of all kinds: any Ω, tiny and vanishing components, near the separatrix to 1e-17 of Ω, near an axis to
  * 1e-140. |Ω| is about 1.
  */
 FreeBody body();

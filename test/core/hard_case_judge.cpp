@@ -93,7 +93,7 @@ double conditionOfEnergy(const HardCase& c, double turn) {
   return energy == 0 ? 0 : static_cast<double>(turn * momentum.norm() / energy);
 }
 
-/** Relative, what denormal numbers cannot hold of L; each look ends a batch, whose result is rounded. */
+/** The relative error of L by denormal numbers; the result of each batch is rounded. */
 double granularity(const HardCase& c) {
   const Real size = Run::momentumOf(c).norm();
   return size == 0 ? 0 : static_cast<double>(1000 * static_cast<Real>(kSmallestNumber) / size);
@@ -153,7 +153,7 @@ Promise promiseOf(const Method& method, const HardCase& c, const StepJudgement& 
   const double steps = static_cast<double>(c.steps), wh = rates.fastest() * std::abs(c.step);
   const double wt = wh * steps, condition = conditionOfEnergy(c, rates.turn);
   const double roundoff = condition * (1e-15 * (20 + std::sqrt(steps)) + granularity(c));
-  // What the order allows for each radian turned: C (wh)^p.
+  // The bound by the order for each radian turned: C (wh)^p.
   const bool hopeless = judgement.grade == Grade::hopeless;
   const double of_order = hopeless ? kInfinity : std::pow(wh, method.order);
   const double drift = (method.order == 1 ? 2 : 0.2) * of_order * (1 + wt);

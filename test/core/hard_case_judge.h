@@ -9,7 +9,7 @@
 
 namespace poinsot {
 
-/** What a method did with a case: the greatest figures over the run. */
+/** The largest errors of a method in a run of a case. */
 struct Measured {
   bool finite = true;
   std::int64_t looked_at = 0;  ///< the last look: the end, or where the state was first seen infinite or NaN [steps]
@@ -19,30 +19,30 @@ struct Measured {
   double energy_outside = 0;   ///< of E beyond [L²/2μ_max, L²/2μ_min], relative
   double energy_at_end = 0;    ///< E in that range: 0 at its lower end, 1 at its upper one
   double first_turn = 0;  ///< error of the attitude against the closed form [rad], worst rate in the first turn (or
-                          ///< step, if longer) times a turn; what is below 1e-14 does not count
+                          ///< step, if longer) times a turn; errors below 1e-14 do not count
   double attitude = 0;    ///< greatest error of the attitude over the run [rad]
 };
 
 Measured measure(const Method& method, const HardCase& hard_case);
 
-/** The closed form asked for the same times; its attitude is compared with nothing here. */
+/** Measures the closed form at the same times, but for its attitude. */
 Measured measureClosedForm(const HardCase& hard_case);
 
-/** What must hold: bounds on what is measured, infinite where nothing is promised. */
+/** Bounds of the measured figures, infinite where there is none. */
 struct Promise {
   double norm, momentum, energy, energy_outside, first_turn;
   bool must_be_finite;
 };
 
-/** Of a row of the table of methods, from its order and what it conserves, and of how its step was judged. */
+/** Returns the bounds for a method, from its order, what it conserves and how its step was judged. */
 Promise promiseOf(const Method& method, const HardCase& hard_case, const StepJudgement& judgement);
 
 Promise promiseOfClosedForm(const HardCase& hard_case);
 
-/** One sentence for each promise that is broken. */
+/** Returns one sentence for each bound that is exceeded. */
 std::vector<std::string> broken(const Promise& promise, const Measured& measured);
 
-/** "" where a step that was called hopeless did indeed lose the motion, else what there was instead. */
+/** Returns "" where a step judged hopeless did lose the motion, else what was measured instead. */
 std::string wronglyRefused(const StepJudgement& judgement, const Measured& measured);
 
 }  // namespace poinsot

@@ -1,5 +1,5 @@
-// Property tests draw the same cases in every run. RC_PARAMS="seed=… max_success=…" draws others; a failure prints what
-// repeats it. Failures are not shrunk: simpler numbers are seldom what makes a body hard.
+// Property tests draw the same cases in every run. RC_PARAMS="seed=… max_success=…" draws others; a failure prints how
+// to repeat it. Failures are not shrunk, because bodies with simpler numbers are seldom the hard ones.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -7,32 +7,32 @@
 
 namespace poinsot {
 
-/** How far a state is from the truth of a row, reckoned in long double. */
+/** The errors of a state against a reference row, computed in long double. */
 struct RowErrors {
-  double attitude;  ///< angle of the rotation between the two [rad], whatever lengths and signs
+  double attitude;  ///< angle of the rotation between the two [rad]; lengths and signs do not matter
   double omega;     ///< |ΔΩ|/|Ω|; 0 where both are zero
   double norm;      ///< ||q| − 1|
 };
 RowErrors errorsOf(const ReferenceRow& row, const Eigen::Quaterniond& attitude, const Eigen::Vector3d& omega);
 
-/** What the closed form is held to, whatever the row's conditioning. */
+/** Tolerances of the closed form, the same for every row's conditioning. */
 constexpr double kAttitudeTolerance = 2e-15;  // rad
 constexpr double kNormTolerance = 1e-15;
 
-/** 2e-15 of |Ω|; where Ω itself is a denormal also their spacing, below which no double can come. */
+/** Returns 2e-15 of |Ω|, or the spacing of doubles where Ω is a denormal. */
 double omegaTolerance(const ReferenceRow& row);
 
-/** Names the row and what is beyond its tolerance, NaN too; empty when all is well. */
+/** Returns the row and the errors that exceed their tolerance or are NaN; empty without any. */
 std::string complaint(const ReferenceRow& row, const RowErrors& errors);
 
 /** Judges states of many rows; keeps the worst ratio error/tolerance of each kind of row. */
 class RowJudge {
  public:
-  /** Complaints become failures of the test that runs; `how` says in them how the state was got. */
+  /** Fails the running test where there is a complaint. @param how the state was computed, for the message. */
   void judge(const ReferenceRow& row, const Eigen::Quaterniond& attitude, const Eigen::Vector3d& omega,
              const std::string& how);
 
-  /** A line for each kind, the note up to its first semicolon, and one for all. */
+  /** Prints a line for each kind (the note up to its first semicolon) and one for all rows. */
   void print(const std::string& title) const;
 
  private:

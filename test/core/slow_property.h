@@ -24,7 +24,7 @@ inline void checkFewCases(void (*property)()) {
 
 }  // namespace poinsot
 
-/** As RC_GTEST_PROP, with a fortieth of the cases: for what takes milliseconds each. */
+/** As RC_GTEST_PROP, with a fortieth of the cases: for properties that take milliseconds each. */
 #define SLOW_PROPERTY(Suite, Name)                        \
   void slowProperty##Suite##Name();                       \
   TEST(Suite, Name) {                                     \

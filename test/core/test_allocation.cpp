@@ -19,7 +19,7 @@
 namespace poinsot {
 namespace {
 
-// What is measured goes here, lest the optimiser leave it out.
+// Results are stored here, so that the optimiser does not remove their computation.
 volatile double sink;
 
 struct Case {
@@ -69,7 +69,7 @@ TEST(Allocation, firstUseAllocatesNothing) {
   EXPECT_EQ(counter.count(), 0);
 }
 
-/** Far times for the first time in the process: Boost makes its constants, once, which the header says. */
+/** The first far times in the process, at which Boost allocates its constants once, as the header says. */
 long allocationsOfBoostsConstants() {
   const ClosedForm form({1, 2, 3}, Eigen::Quaterniond::Identity(), {0.6, 0.5, 0.7});
   const AllocationCounter counter;

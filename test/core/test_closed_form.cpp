@@ -1,5 +1,5 @@
-// What the closed form says of a motion besides its states, against published figures, formulas evaluated here and the
-// motion itself; and what it refuses. The states are judged by test_closed_form_rows.cpp.
+// Quantities of a motion that the closed form gives besides its states, against published figures, formulas evaluated
+// here and the motion itself; and what it refuses. The states are judged by test_closed_form_rows.cpp.
 #include "poinsot/core/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -259,7 +259,7 @@ TEST(ClosedFormPrecession, isTheMeanOverLongTimes) {
   for (const Body& body : kBodies) {
     const ClosedForm form = body.closedForm();
     EXPECT_DOUBLE_EQ(form.precessionRate(), form.montgomeryAngle() / form.period()) << named(body);
-    // Whole periods: exactly. Other times: to what one of them may hold back.
+    // Exactly for whole periods; for other times within the variation of one period.
     const int steps = 5 * static_cast<int>(std::ceil(40 * form.montgomeryAngle() / M_PI));
     EXPECT_NEAR(turnFollowed(body, form, 5 * form.period(), 5 * steps), 5 * form.montgomeryAngle(),
                 1e-11 * form.montgomeryAngle())
@@ -290,7 +290,7 @@ TEST(ClosedFormPrecession, whereOmegaIsConstantOrTendsToAnAxis) {
   EXPECT_EQ(rate({{1, 2, 3}, {0, 0, 0}}), 0);
 }
 
-// --- What the motion is
+// --- Regimes
 
 struct Known {
   Body body;
@@ -511,10 +511,11 @@ TEST(ClosedFormRefuses, momentsOfNoBody) {
       };
     };
     const std::string name = "moment " + std::to_string(i + 1);
-    expectRefused(with(0), {name + " is 0", "positive and finite"});
-    expectRefused(with(-0.5), {name + " is -0.5", "positive and finite"});
-    expectRefused(with(kInfinity), {name + " is inf", "positive and finite"});
-    expectRefused(with(kNaN), {name, "nan", "positive and finite"});
+    const std::string expected = name + ": expected a positive finite number (kg·m²), got ";
+    expectRefused(with(0), {expected + "0"});
+    expectRefused(with(-0.5), {expected + "-0.5"});
+    expectRefused(with(kInfinity), {expected + "inf"});
+    expectRefused(with(kNaN), {expected, "nan"});
   }
 }
 
@@ -527,11 +528,10 @@ TEST(ClosedFormRefuses, omegaThatIsNotFinite) {
           [&] {
             ClosedForm({1, 2, 3}, kAttitude, omega);
           },
-          {std::to_string(i + 1),
+          {"component " + std::to_string(i + 1) + " of the angular velocity: expected a finite number (rad/s)",
            std::isnan(bad) ? "nan"
-           : bad > 0       ? "is inf"
-                           : "is -inf",
-           "finite"});
+           : bad > 0       ? "got inf"
+                           : "got -inf"});
     }
   }
 }

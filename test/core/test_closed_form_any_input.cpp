@@ -34,7 +34,7 @@ FreeBody anyBody() {
   return body;
 }
 
-/** |Ωᵢ| never exceeds this, whatever the time: E and |L| do not allow more. */
+/** Returns the bound of |Ωᵢ| at all times that follows from E and |L|. */
 Real bound(const FreeBody& body, int i) {
   Real momentum = 0, twice_energy = 0;
   for (int k = 0; k < 3; ++k) {

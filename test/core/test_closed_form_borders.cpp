@@ -1,6 +1,6 @@
 // Where one regime of the closed form meets another, the motion depends smoothly on its start: a body on the border
-// lies midway between two bodies an equal step to either side, but for a part that goes with the square of what the
-// step does. No reference is needed, and the accuracy asked for is that of single evaluations.
+// lies midway between two bodies an equal step to either side, but for a part that is of
+// second order in the step. No reference is needed, and the accuracy required is that of single evaluations.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -39,7 +39,7 @@ Bend bend(const FreeBody& below, const FreeBody& middle, const FreeBody& above, 
   return sum;
 }
 
-/** Four evaluations, each within 2e-15, and what second order adds. */
+/** The errors of four evaluations, each within 2e-15, and the part of second order. */
 void expectSmooth(const FreeBody& below, const FreeBody& middle, const FreeBody& above, double t) {
   Bend seen = bend(below, middle, above, t);
   // Near the unstable axis a step grows exponentially with time: look while it is small.

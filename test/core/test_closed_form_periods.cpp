@@ -1,4 +1,4 @@
-// The by-products hold what they promise, judged by the motion itself.
+// Periods, angles and rates that the closed form gives are those of the motion itself.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

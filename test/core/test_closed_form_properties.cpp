@@ -1,4 +1,4 @@
-// What must hold for the free motion of every body, whatever the solution: it is a flow, it conserves E and L, it is
+// Properties of the free motion of every body: it is a flow, it conserves E and L, it is
 // continuous, and grids are single evaluations.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@
 namespace poinsot {
 namespace {
 
-// What an evaluation may be off: rad for the attitude, of |Ω| for Ω.
+// The error of an evaluation: rad for the attitude, relative to |Ω| for Ω.
 constexpr double kAccuracy = 2e-15;
 
 struct Difference {
@@ -36,7 +36,7 @@ class TakenUp {
 
   ClosedForm::State at(double s) const { return from(start_.omega_principal).at(s); }
 
-  /** What the box does after s. */
+  /** Returns the effect of the box after s. */
   Difference uncertainty(double s) const {
     Difference sum;
     for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// The closed form on every row of test/data, at a tolerance that does not ask for conditioning: 2e-15 rad, and 2e-15 of
-// |Ω|. One state at a time, and out of grids.
+// The closed form on every row of test/data, at a tolerance that is the same for every conditioning: 2e-15 rad, and
+// 2e-15 of |Ω|. One state at a time, and out of grids.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,7 +50,7 @@ struct TimeGrid {
   }
 };
 
-/** Grids that have t exactly: alone, last, or anywhere; from near or from as far as 0 and beyond. */
+/** Grids that contain t exactly: alone, last, or anywhere; that begin near, at 0 or beyond. */
 std::vector<TimeGrid> gridsThatMeet(double t) {
   const double step = t == 0 ? 0.125 : std::ldexp(1, std::ilogb(t) - 10);
   std::vector<TimeGrid> grids = {
@@ -152,13 +152,13 @@ TEST(OlderProcessors, x86_64_v3) {
   runAgainWith("x86-64-v3");
 }
 
-// The judge can say no.
+// The judge can fail.
 
 ReferenceRow someRow() {
   return readReferenceRows(TEST_DATA_DIR "/public.csv")[2];
 }
 
-/** The state that the row says, turned about L by an angle (world axes), its Ω longer by a part. */
+/** Returns the state of the row, turned about L by an angle (world axes), its Ω longer by a relative amount. */
 std::string complaintOf(const ReferenceRow& row, double turn, double part) {
   const Eigen::Matrix<long double, 3, 1> l =
       row.exact_attitude * row.moments.cast<long double>().cwiseProduct(row.exact_omega);

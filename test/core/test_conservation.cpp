@@ -51,7 +51,7 @@ TEST(Conservation, eachMethodKeepsWhatItClaimsAndNothingElse) {
     if (method.conserves_energy) {
       EXPECT_LE(drifts.energy, 1e-14) << method.name;
     } else {
-      // Where the error at that step is near roundoff, a long one shows it.
+      // Where the error of that step is near roundoff, a longer step shows it.
       const double energy = std::max(drifts.energy, worstDrifts(method, 2.5, 1000).energy);
       EXPECT_GE(energy, 1e-8) << method.name;
     }

@@ -1,4 +1,4 @@
-// What each effect leaves alone, and how well each method keeps it. doc/equations.md shows the table that is printed.
+// The invariants of each effect, and how well each method keeps them. doc/equations.md shows the table that is printed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kStep = 0.05, kTime = 200;  // s: |Ω|h is about 0.05, and the body turns some thirty times
 
-/** What is constant, and in units of what its change is given. */
+/** An invariant, and the unit in which its change is given. */
 struct Invariant {
   const char* name;
   std::vector<Effect> effects;
@@ -122,7 +122,7 @@ TEST(EffectInvariants, areKeptAsWellAsTheDocumentSays) {
   }
 }
 
-// What is no invariant is not constant: the check can fail.
+// The check fails for quantities that are not invariant.
 TEST(EffectInvariants, whatIsNoneChanges) {
   for (Invariant one : invariants()) {
     if (std::string(one.name) == "slug: L") {

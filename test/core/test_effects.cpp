@@ -1,4 +1,4 @@
-// What effects make of a body: sums, equations, switching times, ways to a state, and what is refused.
+// Effects on a body: sums, equations, switching times, ways to a state, refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -312,7 +312,7 @@ TEST(Effects, aMethodForFreeBodiesTakesNoneAndSaysWhy) {
 
 // --- times -----------------------------------------------------------------------------------------------------------
 
-// A schedule is its pieces, each started where the one before ended: whatever the step, the switch is hit.
+// With any step, a schedule equals the sequence of its pieces, each started where the one before ended.
 TEST(Schedule, switchesAreHitExactly) {
   const std::vector<TorqueSchedule::Segment> segments = {{0.3, 1.1, Axes::body, {0.5, 0.2, -0.3}},
                                                          {1.1, 1.7000000001, Axes::world, {-0.4, 0.1, 0.6}},
@@ -341,7 +341,7 @@ TEST(Schedule, switchesAreHitExactly) {
   }
 }
 
-// One that is missed by half a step shows: what the test above must not let pass.
+// The test above would notice a switch that is missed by half a step.
 TEST(Schedule, aSwitchThatIsMissedByLittleIsSeen) {
   const auto end = [](double to) {
     return Motion(torquedBody({TorqueSchedule{{{0.3, to, Axes::body, {0.5, 0.2, -0.3}}}}}, "taylor24", 0.073)).at(3);
@@ -357,7 +357,7 @@ TEST(Schedule, atASwitchTheTorqueIsTheLaterOne) {
   EXPECT_EQ(motion.at(2).torque_world, Vector3d(0, 0, 0));
 }
 
-// Switches on grid points that rounding has moved: n·0.1 is not always the double nearest to it.
+// Switches on grid points that are rounded: n·0.1 in doubles is not always the double nearest to it.
 TEST(Schedule, switchesBesideGridPointsMakeNoSlivers) {
   std::vector<TorqueSchedule::Segment> segments;
   for (int i = 0; i < 20; i += 2) segments.push_back({i / 10.0 + 0.1, (i + 1) / 10.0 + 0.1, Axes::body, {0.3, -1, 2}});
@@ -410,7 +410,7 @@ TEST(Effects, backwardsIsTheWayForwards) {
   }
 }
 
-// Of those that depend on time, and of the slug, every method says the same of the past as it does of the future.
+// For effects that depend on time, and for the slug, every method goes backwards as well as forwards.
 TEST(Effects, allMethodsAgreeOnThePast) {
   for (const NamedEffects& one : eachEffect()) {
     const MotionState truth = Motion(torquedBody(one.effects, "taylor24", 0.05)).at(-2.5);
@@ -549,7 +549,7 @@ TEST(HardEffects, stepsThatSufficeAreNotCut) {
   }
 }
 
-// A torque that turns the body a thousand times in a step: cut as needed by those that say so.
+// A torque that turns the body a thousand times in a step: methods with cuts_steps divide the step as needed.
 TEST(HardEffects, hugeTorqueIsFollowedByMethodsThatCutTheirSteps) {
   for (const Method& method : torquedMethods()) {
     if (!method.cuts_steps) continue;
@@ -567,8 +567,8 @@ TEST(HardEffects, hugeTorqueIsFollowedByMethodsThatCutTheirSteps) {
   }
 }
 
-// ch/I from 1e-3 to 1e5: Taylor cuts its steps and stays finite; the speed of what has come to rest is zero to the
-// accuracy of the start.
+// ch/I from 1e-3 to 1e5: Taylor divides its steps and stays finite; the speed of a body that has come to rest is 0 to
+// the accuracy of the start.
 TEST(HardEffects, stiffDampingIsCutNotBlownUp) {
   for (const Method& method : torquedMethods()) {
     if (!method.cuts_steps) continue;

@@ -1,4 +1,4 @@
-// Every method meets every hard case. What must hold follows from its row of the table of methods alone, so that a
+// Every method in every hard case. The bounds follow from its row of the table of methods alone, so that a
 // method added later is held to it as well; doc/hard_cases.md shows the same figures.
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ Method plain(int order, bool conserves_momentum) {
   return {"broken", order, conserves_momentum, false, false, false, make, nullptr};
 }
 
-/** What the suite says of a method, case by case. */
+/** Prints the figures of a method, case by case. */
 std::string complaintsAbout(const Method& method) {
   std::string out;
   for (const HardCase& c : hardCases()) {

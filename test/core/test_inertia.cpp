@@ -44,10 +44,10 @@ TEST(Inertia, badMomentsAreNamed) {
       Vector3d moments(1, 1, 1);
       moments[i] = bad;
       expectMentions(refusal([&] { PrincipalInertia::fromMoments(moments); }),
-                     {"moment " + std::to_string(i + 1), "positive and finite"});
+                     {"moment " + std::to_string(i + 1), "expected a positive finite number (kg·m²), got "});
     }
   }
-  expectMentions(refusal([] { PrincipalInertia::fromMoments({1, -2.5, 1}); }), {"-2.5"});
+  expectMentions(refusal([] { PrincipalInertia::fromMoments({1, -2.5, 1}); }), {"moment 2", "got -2.5"});
 }
 
 TEST(Inertia, tinyAndHugeMomentsAreFine) {

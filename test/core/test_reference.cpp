@@ -20,7 +20,7 @@ constexpr double kCoarsest = 0.01;     // |Ω|h
 constexpr double kSmallError = 1e-11;  // rad: below it no ratio is asked for
 constexpr double kMostSteps = 2e7;     // of one run, but for those in kFar
 
-/** Where the order shows only late: the first k (n₀·2ᵏ steps) to look at, and k as far as it takes. */
+/** For methods whose order shows only at short steps: the first and the last k of n₀·2ᵏ steps. */
 struct Far {
   int first, last;
 };
@@ -104,7 +104,7 @@ TEST(Reference, rowsAreRead) {
   EXPECT_EQ(allRows()[68].t, 1000);
   for (const ReferenceRow& row : allRows()) {
     EXPECT_NEAR(row.attitude.norm(), 1, 4e-16) << row.id;
-    // E and L at t are those at 0: the file and the reader agree on what is what.
+    // E and L at t are those at 0: the reader takes the columns in the order of the file.
     const Eigen::Vector3d l0 = row.attitude_0.normalized() * row.moments.cwiseProduct(row.omega_0);
     const Eigen::Vector3d l = row.attitude * row.moments.cwiseProduct(row.omega);
     EXPECT_LE((l - l0).stableNorm(), 4e-15 * l0.stableNorm()) << row.id;

@@ -1,5 +1,5 @@
-// What include paths cannot hold: on Debian the headers of ROS and yaml-cpp lie in the system's include path, so that
-// any room could include them.
+// Include paths alone cannot keep rooms apart: on Debian the headers of ROS and yaml-cpp lie in the system's include
+// path, so that any room could include them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -136,7 +136,7 @@ TEST(Rooms, aStrayIncludeWouldBeCaught) {
   EXPECT_FALSE(isYaml("poinsot/scene/scene.h"));
 }
 
-/** Of each line that a command prints, what the pattern's group matches. */
+/** Returns the match of the pattern's group in each line that a command prints. */
 std::vector<std::string> printedBy(const std::string& command, const std::regex& pattern) {
   std::vector<std::string> out;
   FILE* pipe = popen(command.c_str(), "r");
@@ -151,7 +151,7 @@ std::vector<std::string> printedBy(const std::string& command, const std::regex&
   return out;
 }
 
-/** What a shared library names as needed (not what that needs in turn: C libraries of the system may be anything). */
+/** Returns the libraries that a shared library needs directly (C libraries of the system may need any others). */
 std::vector<std::string> neededBy(const std::string& library) {
   return printedBy("readelf -d '" + library + "'", std::regex(R"(\(NEEDED\).*\[(.+)\])"));
 }
@@ -181,7 +181,7 @@ void eachPublicLine(const Use& use) {
   }
 }
 
-// Boost is linked privately, so that whoever uses core need not have it.
+// Boost is linked privately, so that users of core need not have it.
 TEST(Rooms, publicHeadersIncludeEigenAndTheStandardLibraryOnly) {
   int includes = 0;
   eachPublicLine([&](const std::string& line, const std::string& place) {

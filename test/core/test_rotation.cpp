@@ -63,7 +63,7 @@ TEST_F(RotationLaws, smallAnglesKeepTheirRelativePrecisionAsMatrices) {
 }
 
 TEST_F(RotationLaws, exactlyPi) {
-  // Axis and its opposite give the same rotation: what must come back is the rotation.
+  // The opposite axis gives the same rotation at π, so rotations are compared and not vectors.
   for (int i = 0; i < 200; ++i) {
     const Vector3d theta = kPi * (i < 3 ? Vector3d::Unit(i) : draws_.direction());
     const Quaterniond q = expQuaternion(theta);

@@ -65,7 +65,7 @@ TEST(StepLimits, steadySpinsAreFollowedAtAnyStepThatAngleCanBeToldFrom) {
 }
 
 TEST(StepLimits, aStableSpinThatTheMethodMakesUnstable) {
-  // The error of a step is 1e-6 rad; what undoes the body is that it grows from step to step.
+  // The error of a step is 1e-6 rad, but it grows from step to step.
   EXPECT_EQ(gradeOf("lie_euler", kMoments, {1e-6, 1e-6, 1}, 4), Grade::hopeless);
   // rk4 beyond its limit of stability: the body wobbles 99 times as fast as it turns.
   EXPECT_EQ(gradeOf("rk4", {1, 1, 100}, {1e-6, 0, 1}, 0.03), Grade::hopeless);

@@ -5,7 +5,7 @@
 
 #include "poinsot/core/motion.h"
 
-/** What tests of effects share: a tumbling body, and each effect on it. */
+/** A tumbling body and each effect on it, for tests of effects. */
 namespace poinsot {
 
 inline MotionSetup torquedBody(const std::vector<Effect>& effects, const std::string& method = "taylor16",

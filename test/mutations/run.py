@@ -41,9 +41,9 @@ MUTATIONS = [
      "appendTransforms(*body, topicsOf(*body).frames(), stamp + ros::Duration(0.01), transforms_.transforms);",
      r"no tf at the stamp of a state"),
     ("L turning slowly", "src/core/motion.cpp",
-     "MotionState Motion::describe(double t, const RotationState& principal, const Eigen::Vector3d& omega) const {",
-     "MotionState Motion::describe(double t, const RotationState& given, const Eigen::Vector3d& omega) const {\n"
-     "  const RotationState principal{\n"
+     "MotionState Motion::describe(double t, const FreeRotationState& principal, const Eigen::Vector3d& omega) const {",
+     "MotionState Motion::describe(double t, const FreeRotationState& given, const Eigen::Vector3d& omega) const {\n"
+     "  const FreeRotationState principal{\n"
      "      Eigen::Quaterniond(Eigen::AngleAxisd(1e-4 * t, Eigen::Vector3d::UnitX())) * given.attitude,\n"
      "      given.momentum_principal};",
      r"L .*(turn|direction|drift)"),

@@ -12,7 +12,7 @@
 
 namespace poinsot::validation {
 
-/** What a case does not have, or what could not be measured. No claim agrees with it. */
+/** A figure that a case does not have, or that could not be measured. No claim agrees with it. */
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /** A motion of which numbers were published. */
@@ -21,9 +21,9 @@ struct Case {
   std::string inputs;  ///< as the source gives them
   MotionSetup setup;   ///< the same in SI
 
-  /** The figures, taken from the states of the motion alone: whatever method moves it. */
+  /** The figures, taken from the states of the motion alone, for any method. */
   std::function<std::vector<double>(const MotionSetup&)> measure{};
-  /** The same figures as the closed form says them without a trajectory, kNone where it does not; may be empty. */
+  /** The same figures where the closed form gives them without a trajectory, else kNone; may be empty. */
   std::function<std::vector<double>(const ClosedForm&)> say{};
 
   std::vector<Claim> claims{};
@@ -31,8 +31,7 @@ struct Case {
   /** Pairs of moments: after exchange the motion is another, and at least one claim must fail. */
   std::vector<std::array<int, 2>> swaps{{0, 1}, {1, 2}, {0, 2}};
 
-  /** A disturbance as small as rounding moves the figures out of tolerance: only methods that keep E and L get there.
-   */
+  /** Whether disturbances as small as rounding move the figures out of tolerance, but for methods that keep E and L. */
   bool feels_rounding = false;
 };
 

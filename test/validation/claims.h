@@ -6,7 +6,7 @@
 
 namespace poinsot::validation {
 
-/** One published number: what it is, who says it, and within what a computed one agrees. */
+/** One published number, its source, and the interval in which a computed one agrees with it. */
 struct Claim {
   std::string figure;     ///< what was measured, with its unit
   std::string source;     ///< who published it; "[M]" where it was recomputed from the published inputs

@@ -37,7 +37,7 @@ Case period(const std::string& name, const std::string& inputs, const MotionSetu
 // NASA/TM-2015-218675 vol. II, check-case 2: a brick dropped from 30,000 ft, no drag, no damping. The rates are those
 // relative to inertial axes. Each simulator's figures are the last line of its file Atmos_02_sim_NN.csv, published with
 // the report. 1 and 4 agree with each other to 5e-9°, in attitude too; 2, 5 and 6 are off by 8e-4, 3e-5 and 3e-3 °/s
-// (and the roll of 2 by 4°, which no tolerance here is made to cover). 0.004 °/s is what the report calls agreement.
+// (and the roll of 2 by 4°, which no tolerance here covers). The report calls 0.004 °/s agreement.
 Case brick() {
   const double slug_square_feet = 1.3558179483314004;  // kg·m²
   Case one{"brick", "μ = .001894220, .006211019, .007194665 slug·ft²; Ω = 10, 20, 30 °/s",

@@ -5,7 +5,7 @@
 
 #include "poinsot/core/motion.h"
 
-/** Instruments that look at a motion's states, and at nothing else. They know no period and no elliptic function. */
+/** Measurements from the states of a motion alone, without periods and elliptic functions. */
 namespace poinsot::validation {
 
 /** A number read from a state. */

@@ -1,4 +1,4 @@
-// The judge can say no.
+// The judge can fail.
 #include <gtest/gtest.h>
 
 #include <limits>

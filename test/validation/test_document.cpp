@@ -1,4 +1,4 @@
-// doc/validation.md shows the figures that are computed here, and no others.
+// doc/validation.md shows exactly the figures that are computed here.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -60,7 +60,7 @@ TEST_P(Published, isWhatASceneShows) {
   EXPECT_TRUE(agrees(one, one.measure(scene::motionSetup(read.bodies.at(0)))));
 }
 
-// The numbers tell one body from another: none of these passes.
+// The claims do not hold for bodies with exchanged moments.
 TEST_P(Published, isNotWhatABodyWithMomentsExchangedShows) {
   const Case& one = GetParam();
   for (const auto& pair : one.swaps) {
@@ -68,7 +68,7 @@ TEST_P(Published, isNotWhatABodyWithMomentsExchangedShows) {
   }
 }
 
-// The by-products of the closed form are what the trajectories show.
+// Figures that the closed form gives directly agree with those of trajectories.
 class Said : public Published {};
 
 TEST_P(Said, byTheClosedFormAgreesWithItsTrajectory) {

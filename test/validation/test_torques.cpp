@@ -1,4 +1,4 @@
-// Motions under torque, held to what is known in closed form; see torque_cases.cpp for these and their sources.
+// Motions under torque, compared with closed formulas; see torque_cases.cpp for these and their sources.
 #include <gtest/gtest.h>
 
 #include <iomanip>
@@ -84,7 +84,7 @@ TEST_P(UnderTorque, isWhatASceneShows) {
   EXPECT_TRUE(agrees(one, one.measure(scene::motionSetup(read.bodies.at(0)))));
 }
 
-// The numbers tell one body from another, and the effect from none a tenth stronger.
+// The claims do not hold for bodies with exchanged moments, nor for effects that are a tenth stronger.
 TEST_P(UnderTorque, isNotWhatAnotherBodyShows) {
   const Case& one = GetParam();
   for (const auto& pair : one.swaps) {

@@ -29,7 +29,7 @@ double distanceTo(const Curve& curve, const Vector3d& p) {
   return least;
 }
 
-/** What holds in every regime, for Ω of ordinary size. `tolerance`: of the two identities, relative. */
+/** Checks what holds in every regime, for Ω of ordinary size. @param tolerance of the two identities, relative. */
 void expectSound(const Body& b, const Polhode& result, double tolerance = 1e-12) {
   const double e = energy2(b.moments, b.omega), f = momentum2(b.moments, b.omega);
   ASSERT_GE(result.branches.size(), 2u);

@@ -18,11 +18,11 @@ struct Solid {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
   Quaternion orientation = Quaternion::Identity();   ///< own axes → assembly axes, unit
 
-  double volume() const;                  ///< [m³]
+  double volume() const;                  ///< its volume [m³]
   Eigen::Matrix3d inertiaTensor() const;  ///< about its own centre, in assembly axes [kg·m²]
 };
 
-/** Solids joined rigidly. The parts are re-placed on construction so that the origin is the centre of mass. */
+/** Solids joined rigidly. The constructor moves them so that the origin is the centre of mass. */
 class Assembly {
  public:
   /** Throws std::invalid_argument for no parts, and for sizes or masses that are not positive and finite. */
@@ -30,7 +30,7 @@ class Assembly {
 
   /** The solids in the order given, placed about the common centre of mass. */
   const std::vector<Solid>& parts() const { return parts_; }
-  double mass() const;                    ///< [kg]
+  double mass() const;                    ///< of all parts [kg]
   Eigen::Matrix3d inertiaTensor() const;  ///< about the centre of mass, by the parallel-axis theorem [kg·m²]
   double boundingRadius() const;          ///< of a sphere about the centre of mass that holds all parts' boxes [m]
 
@@ -39,8 +39,8 @@ class Assembly {
 };
 
 /**
- * Assemblies that scenes know by name. Lengths in m, masses in kg, each positive and finite, else
- * std::invalid_argument is thrown; all parts have the same density.
+ * Assemblies that scenes know by name. All parts have the same density. Lengths [m] and masses [kg] must be positive
+ * and finite; std::invalid_argument is thrown otherwise.
  */
 namespace shapes {
 
@@ -64,9 +64,12 @@ Assembly lShape(double length_x, double length_z, double thickness, double mass)
 Assembly twoCylinders(double radius, double height, double second_radius, double second_height,
                       const Eigen::Vector3d& offset, double mass);
 /**
- * The homogeneous box of those principal moments, its longest half diagonal 1 m: what stands in for a body of which
- * only the inertia is known. wᵢ² ∝ μⱼ + μₖ − μᵢ: the longest side lies along the axis of smallest moment. Where no real
- * body has the moments, the side that would be imaginary is drawn thin.
+ * Returns the homogeneous box with the ratios of these principal moments and a half diagonal of 1 m, to be drawn for a
+ * body of which only the inertia is known. Its sides are wᵢ² ∝ μⱼ + μₖ − μᵢ, so that the longest lies along the axis of
+ * smallest moment. Where no real body has such moments, the side that would be imaginary is thin.
+ *
+ * @param moments principal moments, positive and finite.
+ * @param axes principal axes → assembly axes, unit.
  */
 Assembly equivalentBox(const Eigen::Vector3d& moments, const Quaternion& axes);
 

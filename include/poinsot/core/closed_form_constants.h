@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-/** What the set-up of a ClosedForm leaves for its evaluations. Symbols: doc/closed_form.md. */
+/** The numbers that a ClosedForm works out once and then evaluates from. Symbols: doc/closed_form.md. */
 namespace poinsot::closed_form {
 
 /** A number as the sum of two doubles. */
 struct Pair {
   double high = 0;  ///< the sum, rounded to a double
-  double low = 0;   ///< what that leaves over
+  double low = 0;   ///< the sum less `high`
 };
 
 /**
@@ -22,10 +22,10 @@ struct Phases {
   Pair turn;  ///< f
 };
 
-/** Of v on the separatrix: see Phases. */
+/** The unit of v on the separatrix: see Phases. */
 constexpr double kSeparatrixSpan = 2000;
 
-/** Everything that a state at some time needs, worked out from the start. */
+/** Everything that is needed to evaluate a state at some time. */
 struct Constants {
   /** The functions of the theta series: trigonometric up to a nome of 0.2, hyperbolic from there to the separatrix. */
   enum class Series : std::uint8_t { trigonometric, hyperbolic };
@@ -35,7 +35,7 @@ struct Constants {
   Kind kind = Kind::steady;               ///< steady, periodic, or on the separatrix
   Series series = Series::trigonometric;  ///< which of the series below are in use
   std::int8_t encircled = -1;             ///< principal axis, −1 for none
-  bool delicate = false;   ///< Ω₁ may dwarf the rest, so that cn is wanted to its last bits also near its zeros
+  bool delicate = false;   ///< Ω₁ may dwarf the rest, so that cn must be right to its last bits also near its zeros
   bool symmetric = false;  ///< two equal moments
 
   double time_scale = 1;  ///< scaled time = t·time_scale, a power of two

@@ -6,7 +6,7 @@
 
 namespace poinsot {
 
-/** What a free rigid body conserves. */
+/** The quantities that a free rigid body conserves. */
 struct Invariants {
   double kinetic_energy = 0;                                 ///< E = ½ΩᵀMΩ [J]
   double momentum_squared = 0;                               ///< F = ΛᵀΛ = |L|² [(kg·m²/s)²]
@@ -14,16 +14,19 @@ struct Invariants {
 };
 
 /**
- * E, F and L of a state.
+ * Returns E, F and L of a state.
  * @param moments principal moments [kg·m²] of the axes that the state refers to.
  * @param state attitude and Λ in principal axes.
  */
 Invariants invariantsOf(const Eigen::Vector3d& moments, const FreeRotationState& state);
 
-/** (E − E_ref)/E_ref; 0 when both vanish, infinite when only E_ref does. */
+/** Returns (E − E_ref)/E_ref; 0 when both vanish, infinite when only E_ref does. */
 double energyDrift(const Invariants& now, const Invariants& reference);
 
-/** |L − L_ref|/|L_ref| in world axes, so that a turn of L counts; 0 when both vanish, infinite when only L_ref does. */
+/**
+ * Returns |L − L_ref|/|L_ref| in world axes, so that a turn of L counts; 0 when both vanish, infinite when only L_ref
+ * does.
+ */
 double momentumDrift(const Invariants& now, const Invariants& reference);
 
 }  // namespace poinsot

@@ -31,80 +31,80 @@ struct MotionState {
   Eigen::Vector3d torque_world = Eigen::Vector3d::Zero();    ///< all effects together [N·m]; zero for a free body
   Eigen::Vector3d slug_omega = Eigen::Vector3d::Zero();      ///< σ of a slug inside [rad/s], body axes
 
-  /** E, F and L of this state. */
+  /** Returns E, F and L of this state. */
   Invariants invariants() const;
 };
 
-/** What a motion is made of. */
+/** The body, its start, its method and the effects on it, from which a Motion is made. */
 struct MotionSetup {
-  /** About the centre of mass, or about the pivot of a body that has one. */
+  /** The inertia about the centre of mass, or about the pivot of a body that has one. */
   PrincipalInertia inertia = PrincipalInertia::fromMoments({1, 1, 1});
   Quaternion attitude = Quaternion::Identity();          ///< at t = 0, body → world; normalised on use
   Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  ///< at t = 0 [rad/s], body axes
   std::string method = kClosedForm;                      ///< kClosedForm, or a name of methods()
-  std::optional<double> step;                            ///< [s]; a stepper needs one, the closed form has none
-  std::optional<Translation> translation;                ///< not computed where absent
-  std::vector<Effect> effects;                           ///< what turns it; a free body has none
+  std::optional<double> step;                            ///< [s]; needed for a stepper, not allowed for the closed form
+  std::optional<Translation> translation;                ///< position and velocity stay 0 without it
+  std::vector<Effect> effects;                           ///< of torques; empty for a free body
 };
 
 /**
- * Why no motion can begin with this angular velocity [rad/s, body axes]; empty where one can. The reason is that E or F
- * = |L|² is beyond the range of doubles, or, for a body that turns, too small to be held in full precision. A free body
- * keeps both, so what holds at the start holds for ever.
+ * Returns why no motion can begin with this angular velocity [rad/s, body axes]; empty where one can. The reason is
+ * that E or F = |L|² is beyond the range of doubles, or, for a body that turns, too small to be held in full precision.
+ * A free body keeps both, so it is enough to look at the start.
  */
 std::string outOfRange(const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body);
 
 /**
- * One body in motion: its method and the effects that act on it, composed. A copy is independent.
+ * One body in motion, under its method and the effects on it. A copy is independent.
  *
- * The state at t depends on t alone: the closed form is a function of t; a stepper lives on the grid n·h from t = 0,
- * and the rest of the way to t is a partial step that is thrown away.
+ * The state at t depends on t alone: the closed form is a function of t; a stepper goes along the grid n·h from t = 0,
+ * and a partial step from there to t changes nothing on the grid.
  */
 class Motion {
  public:
   /**
-   * Throws std::invalid_argument for an unknown method, a stepper without a step that is positive and finite, a closed
-   * form with a step or with effects, a method that does not take these effects, effects that do not go together, a
-   * zero attitude, an angular velocity that is not finite or outOfRange().
+   * Throws std::invalid_argument for an unknown method, a stepper without a positive finite step, a closed form with a
+   * step or with effects, a method that does not take these effects, effects that exclude each other, an attitude that
+   * is zero or not finite, and an angular velocity that is not finite or outOfRange().
    */
   explicit Motion(const MotionSetup& setup);
 
   /**
-   * The state at t [s] of either sign: in constant time in closed form, else after as many steps as are needed. Throws
+   * Returns the state at t [s], of either sign: in constant time in closed form, else after stepsTo(t) steps. Throws
    * - std::out_of_range where stepsTo(t) is infinite (t not finite, or 2⁵³ steps away), like prepare();
    * - std::range_error where the state has left the range of doubles: no state is returned that is not finite;
-   * - NoConvergence where an implicit method does not get there.
+   * - NoConvergence where an implicit method finds no solution of a step.
    */
   MotionState at(double t);
 
-  /** How many steps at(t) would take now: 0 in closed form. Infinite where at(t) would throw std::out_of_range. */
+  /** Returns how many steps at(t) would take now: 0 in closed form, infinite where it would throw std::out_of_range. */
   double stepsTo(double t) const;
 
-  /** Does the stepping that at(t) needs; false when `cancel` became true first. */
+  /** Takes the steps that at(t) needs. Returns false when `cancel` became true first. */
   bool prepare(double t, const std::atomic<bool>& cancel);
 
-  /** True when no stepper moves the body. */
+  /** Returns whether the body moves in closed form, without a stepper. */
   bool inClosedForm() const { return !grid_; }
 
-  /** What turns the body; nullptr for a free one. */
+  /** Returns the torques on the body; nullptr for a free one. */
   const Torques* torques() const { return torques_ ? &*torques_ : nullptr; }
 
-  /** What all whole steps so far took; nothing in closed form. */
+  /** Returns the work of all whole steps so far; none in closed form. */
   Work work() const;
 
-  /** True when L in world axes is constant to roundoff: a free body's, under a method that keeps it. */
+  /** Returns whether L in world axes is constant to roundoff: for a free body under a method that keeps it. */
   bool conservesMomentum() const;
 
   /**
-   * How far a state of this motion is from the closed form at the same t [rad]: 0 for the closed form itself; NaN where
-   * there is none, under torques.
+   * Returns the angle between a state of this motion and the closed form at the same t [rad]: 0 for the closed form
+   * itself, NaN under torques, where there is no closed form.
    */
   double attitudeError(const MotionState& state) const;
 
-  /** A free body's, whatever method moves it, in principal axes; nullptr under torques. */
+  /** Returns the closed form of a free body, whatever its method, in principal axes; nullptr under torques. */
   const ClosedForm* closedForm() const { return exact_ ? &*exact_ : nullptr; }
 
-  /** What it was made of. */
+  /** Returns the setup that the motion was made from, its attitude normalised. */
   const MotionSetup& setup() const { return setup_; }
 
  private:
@@ -112,7 +112,7 @@ class Motion {
     std::int64_t n;    ///< whole steps from t = 0
     double remainder;  ///< seconds beyond them, with t's sign
   };
-  /** What a stepper needs. */
+  /** The grids of a stepper, forwards and backwards from t = 0. */
   struct Grid {
     double step;
     StepperTrajectory forwards, backwards;
@@ -133,8 +133,8 @@ class Motion {
   MotionSetup setup_;
   bool principal_axes_are_body_axes_;
   std::optional<Torques> torques_;   ///< of a body with effects
-  std::optional<ClosedForm> exact_;  ///< of a free body, in principal axes; also what its stepper is compared with
-  std::optional<Grid> grid_;         ///< what moves a body that is not moved in closed form
+  std::optional<ClosedForm> exact_;  ///< of a free body, in principal axes; its stepper is compared with it
+  std::optional<Grid> grid_;         ///< of a body that a stepper moves
 };
 
 }  // namespace poinsot

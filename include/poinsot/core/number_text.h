@@ -4,7 +4,7 @@
 
 namespace poinsot {
 
-/** A number as messages show it, whatever the locale. Of 17 significant digits, no two doubles are shown alike. */
+/** Returns a number as by "%.*g", whatever the locale. With 17 significant digits, no two doubles look alike. */
 std::string numberText(double value, int digits = 6);
 
 }  // namespace poinsot

@@ -6,47 +6,57 @@
 #include "poinsot/core/method.h"
 #include "poinsot/core/torques.h"
 
-/** What a method cannot do: doc/hard_cases.md shows it measured. */
+/** Whether a step is short enough for a method and a body; doc/hard_cases.md shows measurements. */
 namespace poinsot {
 
 /** How fast a free body moves, all along its orbit. */
 struct OrbitRates {
-  double turn;    ///< |Ω| never exceeds it, and comes near it unless the spin is steady [rad/s]
-  double wobble;  ///< |L|(1/μ_min − 1/μ_max): L turns in the body at half of it at most [rad/s]; 0 for a sphere
-  /** The larger of the two [rad/s]. */
+  double turn;    ///< an upper bound of |Ω| [rad/s], reached or nearly reached unless the spin is steady
+  double wobble;  ///< |L|(1/μ_min − 1/μ_max) [rad/s], 0 for a sphere: L turns in the body at no more than half of it
+  /** Returns the larger of the two [rad/s]. */
   double fastest() const { return turn > wobble ? turn : wobble; }
 };
 
-/** For any |Ω|, also where its square leaves the range of doubles. */
+/**
+ * Returns the rates of the orbit through Ω; also where |Ω|² leaves the range of doubles.
+ * @param moments principal moments [kg·m²], valid.
+ * @param omega_principal Ω [rad/s], principal axes, finite.
+ */
 OrbitRates orbitRates(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_principal);
 
-/** How well a method follows a free body at a step. */
+/** How well a method follows a body with steps of one length. */
 struct StepJudgement {
   /** The verdict. */
   enum class Grade {
-    sound,     ///< nothing to say
-    doubtful,  ///< to be used with a warning: `reason` says what is off, and by how much
-    hopeless   ///< to be refused: what comes out is another motion than the body's
+    sound,     ///< without a flaw worth a warning
+    doubtful,  ///< to be used with a warning: `reason` says what goes wrong, and by how much
+    hopeless   ///< to be refused: the result is not the motion of the body
   };
   Grade grade = Grade::sound;  ///< the verdict
-  std::string reason;          ///< a sentence without a full stop, with numbers; empty when sound
+  std::string reason;          ///< a clause with figures, without a full stop; empty when sound
   double largest_sound = 0;    ///< a step [s] that is sound, at most |step|; 0 when none was found
 };
 
 /**
- * Judges by trial: takes steps from places all along the body's orbit (the polhode, its flip included, not only where
- * it starts) and compares with the closed form.
+ * Judges a step of a free body by trial: takes steps from places all along its orbit (the polhode with its flip, not
+ * only the start) and compares them with the closed form.
  *
- * hopeless: the attitude goes wrong by more than 1 rad within a turn of the body, or, where the body turns by more than
- * π a step, by more than 0.1 rad within a turn or step; or E (or its place in the range that |L| leaves it) or |L| by
- * more than half within a turn, or within 64 steps of more than 1 rad each; or the state becomes infinite or undefined.
- * doubtful: by more than 0.1 rad a turn; or E changes by more than a tenth; or the body turns by more than π a step and
- * is followed all the same, which happens where the motion is so regular that the method is nearly exact.
+ * hopeless:
+ * - the attitude goes wrong by more than 1 rad in a turn of the body, or, where a step turns the body by more than π,
+ * by more than 0.1 rad in a turn or step;
+ * - E, its place in the range that |L| leaves it, or |L| goes wrong by more than half in a turn, or within 64 steps of
+ *   more than 1 rad each;
+ * - the state becomes infinite or undefined.
  *
- * Where a turn takes more than 64 steps, 64 from each place stand for all of it: errors of the attitude are taken to
- * grow in proportion, those of E exponentially.
+ * doubtful:
+ * - the attitude goes wrong by more than 0.1 rad in a turn, or E by more than a tenth;
+ * - a step turns the body by more than π, and the method follows only because the motion is so regular that it is
+ *   nearly exact.
  *
- * Costs milliseconds; nothing for steps that are clearly small. Never throws.
+ * Where a turn takes more than 64 steps, its error is extrapolated from 64 steps from each place: that of the attitude
+ * in proportion, that of E exponentially.
+ *
+ * Takes milliseconds, but no time for steps that are clearly small. Never throws.
  *
  * @param method that moves free bodies.
  * @param moments principal moments [kg·m²], valid.
@@ -57,9 +67,9 @@ StepJudgement judgeStep(const Method& method, const Eigen::Vector3d& moments, co
                         double step);
 
 /**
- * The same for a body under torques, from its start only, where the truth is taylor24, which cuts its steps as needed:
- * hopeless where within 64 steps the attitude goes wrong by more than 1 rad or the state is lost; doubtful by more than
- * 0.1 rad. Methods of that family need no judgement. Never throws.
+ * Judges a step of a body under torques by 64 steps from its start, compared with taylor24, which divides its steps as
+ * needed. hopeless: the attitude goes wrong by more than 1 rad, or the state becomes infinite or undefined; doubtful:
+ * the attitude goes wrong by more than 0.1 rad. Methods that divide their steps are always sound. Never throws.
  *
  * @param method that takes these torques.
  * @param torques that act on the body; its moments are theirs.

@@ -14,8 +14,9 @@ namespace poinsot {
 /**
  * The motion under a stepper, on the grid n·h from t = 0, n ≥ 0 (h of either sign).
  *
- * The state at n is what n steps from the start give, bit for bit, however one got there: going back starts from a
- * checkpoint. Checkpoints are thinned as the motion grows, so memory is bounded. Copies share nothing but the stepper.
+ * The state at n is that after n steps from the start, bit for bit, in whatever order states are asked for: going back
+ * starts from a checkpoint. Checkpoints are thinned as the motion grows, so memory is bounded. Copies share nothing but
+ * the stepper.
  */
 class StepperTrajectory {
  public:
@@ -27,19 +28,19 @@ class StepperTrajectory {
    */
   StepperTrajectory(std::shared_ptr<const Stepper> stepper, const RotationState& start, double step);
 
-  /** How many steps at(n) would take now. */
+  /** Returns how many steps at(n) would take now. */
   std::int64_t stepsTo(std::int64_t n) const;
 
-  /** The state after n ≥ 0 steps. */
+  /** Returns the state after n ≥ 0 steps. */
   const RotationState& at(std::int64_t n);
 
-  /** Like at(n), but gives up, returning false, soon after `cancel` becomes true; what was reached is kept. */
+  /** Takes the steps that at(n) needs. Returns false soon after `cancel` becomes true; the steps taken are kept. */
   bool moveTo(std::int64_t n, const std::atomic<bool>& cancel);
 
-  /** What moves it. */
+  /** Returns the stepper. */
   const Stepper& stepper() const { return *stepper_; }
 
-  /** What all steps so far took. */
+  /** Returns the work of all steps so far. */
   const Work& work() const { return work_; }
 
  private:
@@ -58,7 +59,7 @@ class StepperTrajectory {
   Work work_;
   Checkpoint cursor_;
   std::vector<Checkpoint> coarse_;  ///< every spacing_ steps, from n = 0 towards furthest_
-  std::vector<Checkpoint> fine_;    ///< inside the one coarse interval that is being played backwards
+  std::vector<Checkpoint> fine_;    ///< inside the one coarse interval that was last gone over again
   std::int64_t spacing_;
   std::int64_t furthest_ = 0;  ///< greatest n reached
 };

@@ -10,12 +10,12 @@
 
 namespace poinsot {
 
-/** In which axes a vector is constant. */
+/** The axes in which a vector is constant. */
 enum class Axes { body, world };
 
 /**
- * What a body's effects add up to: the torque τ(t, R, Ω, σ) about its centre of mass or its pivot, as a sum of a few
- * kinds of terms. An effect says which of them it is made of (effects/); whoever integrates needs to know only these:
+ * The sum of the effects on a body: the torque τ(t, R, Ω, σ) about its centre of mass or its pivot, as a sum of a few
+ * kinds of terms. Each effect (effects/) adds some of them; integrators need to know only these:
  *
  *   τ = b(t) + Σᵢ Aᵢ Rᵀxᵢ(t) + 3n² u×(Mu) − DΩ − c(Ω − σ)
  *
@@ -23,49 +23,49 @@ enum class Axes { body, world };
  * Rᵀr(t) the direction r from the centre of an orbit of rate n; D a damping matrix; σ the rate of a slug inside, J(σ̇ +
  * Ω×σ) = c(Ω − σ).
  *
- * Kept in principal axes, that integrators work in. SI units.
+ * All terms are held in principal axes, in SI units.
  */
 class Torques {
  public:
-  /** Of a free body. */
+  /** No torques yet on a body of that inertia. */
   explicit Torques(const PrincipalInertia& inertia);
 
-  // What effects call. Vectors "in body axes" refer to those in which the inertia was given. Throw
-  // std::invalid_argument where a term does not go together with what is there, or a value is not finite or out of
-  // range.
+  // For effects. Vectors "in body axes" refer to those in which the inertia was given. These functions throw
+  // std::invalid_argument where a term excludes one that is already there, or a value is not finite or out of range.
 
-  /** For all t. @param axes in which it is constant @param torque [N·m], finite */
+  /** Adds a torque for all t. @param axes in which it is constant @param torque [N·m], finite */
   void addConstant(Axes axes, const Eigen::Vector3d& torque) {
     addBetween(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), axes, torque);
   }
   /**
-   * For from ≤ t < to.
+   * Adds a torque for from ≤ t < to.
    * @param from,to [s], from < to; infinite where there is no end.
    * @param axes in which it is constant.
    * @param torque [N·m], finite.
    */
   void addBetween(double from, double to, Axes axes, const Eigen::Vector3d& torque);
   /**
-   * A force constant in the world, at a point fixed in the body: τ = lever × Rᵀforce.
+   * Adds a force that is constant in the world, at a point fixed in the body: τ = lever × Rᵀforce.
    * @param lever of the point, body axes [m], finite.
    * @param force_world world axes [N], finite.
    */
   void addForce(const Eigen::Vector3d& lever, const Eigen::Vector3d& force_world);
   /**
-   * A circular orbit; one a body.
+   * Adds the gravity gradient of a circular orbit, of which a body has at most one.
    * @param orbit_rate n [rad/s], positive and finite.
    * @param normal,radial_at_start world directions, perpendicular to 1e-9 rad, of any length but 0.
    */
   void addGravityGradient(double orbit_rate, const Eigen::Vector3d& normal, const Eigen::Vector3d& radial_at_start);
-  /** τᵢ = −cᵢΩᵢ along each body axis. @param coefficients c [N·m·s], finite, not negative */
+  /** Adds τᵢ = −cᵢΩᵢ along each body axis. @param coefficients c [N·m·s], finite, not negative */
   void addDamping(const Eigen::Vector3d& coefficients);
-  /** One slug a body. @param inertia J [kg·m²], positive and finite @param damping c [N·m·s], finite, not negative */
+  /** Adds a slug, at most one. @param inertia J [kg·m²], positive and finite @param damping c [N·m·s], finite, not
+   * negative */
   void addSlug(double inertia, double damping);
 
   /** Throws std::invalid_argument where the sum, or an acceleration it may give, is beyond the range of doubles. */
   void requireFinite() const;
 
-  // What integrators ask for. All in principal axes.
+  // For integrators. All in principal axes.
 
   /** The part of τ that is piecewise constant in time: constant in the body, and x₀ in the world. */
   struct Constant {
@@ -83,7 +83,7 @@ class Torques {
     Eigen::Vector3d normal;                    ///< N, world axes, unit, as all directions here
     Eigen::Vector3d radial;                    ///< r(0)
     Eigen::Vector3d along;                     ///< N × r(0)
-    Eigen::Vector3d radialAt(double t) const;  ///< r(t) = radial cos nt + along sin nt
+    Eigen::Vector3d radialAt(double t) const;  ///< r(t) = radial cos nt + along sin nt, t in s
     Eigen::Vector3d alongAt(double t) const;   ///< ṙ/n
   };
   /** A slug inside, as InternalDissipation describes it. */
@@ -92,39 +92,38 @@ class Torques {
     double damping;  ///< c [N·m·s]
   };
 
-  /** The body's principal moments [kg·m²]. */
+  /** Returns the body's principal moments [kg·m²]. */
   const Eigen::Vector3d& moments() const { return moments_; }
 
-  /** Nothing acts. */
+  /** Returns whether nothing acts. */
   bool none() const;
 
-  /** Times at which Constant changes, ascending [s]. */
+  /** Returns the times at which Constant changes, ascending [s]. */
   const std::vector<double>& switches() const { return switches_; }
-  /** The Constant of interval k, between switches k−1 and k; there is one more of them than of switches. */
+  /** Returns the Constant of interval k, between switches k−1 and k, of which there is one more than of switches. */
   const Constant& constant(std::size_t interval) const { return constants_[interval]; }
-  /** The interval in which t lies; at a switch the later one. */
+  /** Returns the interval in which t [s] lies; at a switch the later one. */
   std::size_t intervalAt(double t) const;
-  /** Some Constant has a part in world axes. */
+  /** Returns whether a torque that is constant in world axes was added. */
   bool hasWorldConstant() const { return has_world_; }
-  /** At most three: more are written as three. */
+  /** Returns the forces, at most three: more are combined. */
   const std::vector<Field>& fields() const { return fields_; }
-  /** The orbit, if there is one. */
+  /** Returns the orbit, if there is one. */
   const std::optional<Gradient>& gradient() const { return gradient_; }
-  /** D [N·m·s], if anything is damped from outside. */
+  /** Returns D [N·m·s], if there is damping from outside. */
   const std::optional<Eigen::Matrix3d>& damping() const { return damping_; }
-  /** The slug, if there is one. */
+  /** Returns the slug, if there is one. */
   const std::optional<Slug>& slug() const { return slug_; }
 
-  /** τ depends on t and R alone: nothing is damped. */
+  /** Returns whether τ depends on t and R alone: nothing is damped. */
   bool dependsOnAttitudeOnly() const { return !damping_ && !slug_; }
-  /** L(t) in world axes is known beforehand: nothing but torques that are constant in the world. A slug's momentum
-   * counts in. */
+  /** Returns whether all torques are constant in the world, so that L(t) is known; with a slug, the sum of both. */
   bool momentumIsKnown() const;
-  /** What those torques add to L from 0 to t [kg·m²/s]. */
+  /** Returns what those torques add to L from 0 to t [kg·m²/s, world axes]. */
   Eigen::Vector3d impulseWorld(double t) const;
 
   /**
-   * τ on the body [N·m].
+   * Returns τ on the body [N·m].
    * @param t [s].
    * @param constant of the interval in which t lies.
    * @param attitude R: principal axes → world, unit.
@@ -133,7 +132,7 @@ class Torques {
    */
   Eigen::Vector3d at(double t, const Constant& constant, const Quaternion& attitude, const Eigen::Vector3d& omega,
                      const Eigen::Vector3d& slug_omega) const;
-  /** σ̇ [rad/s²]; zero where there is no slug. */
+  /** Returns σ̇ [rad/s²]; zero where there is no slug. */
   Eigen::Vector3d slugAcceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& slug_omega) const;
 
  private:

@@ -13,7 +13,7 @@ namespace POINSOT_SIMD_LEVEL {
 
 /**
  * D' = Ω₃²I₃(I₃−I₂) − Ω₁²I₁(I₂−I₁) for ascending moments: its sign says which axis the polhode goes round, its size how
- * far the separatrix is. It is all that is ill-conditioned in the problem, hence exact products and an exact sum.
+ * far the separatrix is. It is the only ill-conditioned part of the problem, hence exact products and an exact sum.
  */
 template <class Real>
 struct Discriminant {
@@ -30,14 +30,14 @@ inline double magnitude(double x) {
   return x < 0 ? -x : x;
 }
 
-/** e such that x = m·2^e, ½ ≤ m < 1. */
+/** Returns e such that x = m·2^e, ½ ≤ m < 1. */
 inline int exponentOf(double x) {
   int e = 0;
   (void)__builtin_frexp(x, &e);
   return e;
 }
 
-/** The sum of n doubles, as good as if added up in four times their precision (Ogita, Rump and Oishi 2005). */
+/** Returns the sum of n doubles, as good as if added up in four times their precision (Ogita, Rump and Oishi 2005). */
 inline DoubleDouble exactSumOf(double* terms, int n) {
   for (int pass = 0; pass < 3; ++pass) {
     for (int i = 1; i < n; ++i) {
@@ -51,7 +51,7 @@ inline DoubleDouble exactSumOf(double* terms, int n) {
   return sum;
 }
 
-/** Appends w²·i·(j − k)·sign, exactly, as doubles: 16 at most, zeros left out. */
+/** Appends w²·i·(j − k)·sign exactly, as at most 16 doubles, without zeros. */
 inline double* appendTerms(double w, double i, double j, double k, double sign, double* out) {
   const DoubleDouble square = exactProduct(w, w), difference = exactSum(j, -k);
   const DoubleDouble a = exactProduct(i, difference.high), b = exactProduct(i, difference.low);
@@ -65,7 +65,7 @@ inline double* appendTerms(double w, double i, double j, double k, double sign, 
   return out;
 }
 
-/** The exponent of the larger one of Ω₁, Ω₃. */
+/** Returns the exponent of the larger of Ω₁ and Ω₃. */
 inline int outerExponent(const Start& start, const InternalAxes& axes) {
   const double w1 = magnitude(axes.omega(start, 0)), w3 = magnitude(axes.omega(start, 2));
   return exponentOf(w1 > w3 ? w1 : w3);
@@ -95,7 +95,7 @@ inline Discriminant<DoubleDouble> discriminant<DoubleDouble>(const Start& start,
   double* end = appendTerms(w3, I[2], I[2], I[1], 1, terms);
   end = appendTerms(w1, I[0], I[1], I[0], -1, end);
   const DoubleDouble sum = exactSumOf(terms, static_cast<int>(end - terms));
-  // What the sum lost is below 2⁻²⁰⁰ of the terms.
+  // The error of the sum is below 2⁻²⁰⁰ of the terms.
   if (magnitude(sum.high) > 0x1p-90 * third.high) return {sum, e};
   const Pair exact = exactDiscriminant(w3, I[2], I[1], I[0], w1);
   return {{exact.high, exact.low}, e};

@@ -2,7 +2,7 @@
 
 #include "poinsot/core/closed_form_constants.h"
 
-// The processor multiplies and adds in one instruction. Of x86-64, clang says so by the second name only.
+// Defined where the processor multiplies and adds in one instruction. clang defines only the second name on x86-64.
 #if defined(__FP_FAST_FMA) || defined(__FMA__)
 #define POINSOT_FMA
 #endif
@@ -99,7 +99,7 @@ inline DoubleDouble abs(const DoubleDouble& a) {
   return a.high < 0 ? -a : a;
 }
 
-/** a times a power of two. */
+/** Returns a times a power of two. */
 inline DoubleDouble scaled(const DoubleDouble& a, double power) {
   return {a.high * power, a.low * power};
 }
@@ -126,7 +126,7 @@ constexpr DoubleDouble kInverseFactorial[] = {
     {0x1.952c77030ad4ap-49, 0x1.ac981465ddc6cp-103},
 };
 
-/** eᵃ, relative error a few 2⁻¹⁰⁴ (|a| + 1); 0 below −700. */
+/** Returns eᵃ, relative error a few 2⁻¹⁰⁴ (|a| + 1); 0 below −700. */
 inline DoubleDouble exp(const DoubleDouble& a) {
   constexpr DoubleDouble kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   constexpr int kHalvings = 8, kTerms = 10;
@@ -141,14 +141,14 @@ inline DoubleDouble exp(const DoubleDouble& a) {
   return scaled(x + 1.0, __builtin_ldexp(1.0, static_cast<int>(n)));
 }
 
-/** ln a for a > 0: one Newton step from the double's. */
+/** Returns ln a for a > 0: one Newton step from the double's. */
 inline DoubleDouble log(const DoubleDouble& a) {
   const double guess = __builtin_log(a.high);
   const DoubleDouble e = a * exp(DoubleDouble(-guess)) - 1.0;
   return (e - e * e * 0.5) + guess;
 }
 
-/** The angle of the point (x, y), both ≥ 0 and not both 0: one Newton step from the double's. */
+/** Returns the angle of the point (x, y), both ≥ 0 and not both 0: one Newton step from the double's. */
 inline DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
   constexpr int kHalvings = 5;
   const double guess = __builtin_atan2(y.high, x.high);
@@ -165,7 +165,7 @@ inline DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
     v = scaled(square, 2);
   }
   const DoubleDouble c = 1.0 - v;
-  const DoubleDouble turn = (y * c - x * s) / (x * c + y * s);  // tan of what is missing, ~1e-16
+  const DoubleDouble turn = (y * c - x * s) / (x * c + y * s);  // tan of the remaining angle, ~1e-16
   return turn + guess;
 }
 
@@ -173,7 +173,7 @@ inline double toDouble(const DoubleDouble& a) {
   return a.high + a.low;
 }
 
-/** a·2ⁿ */
+/** Returns a·2ⁿ. */
 inline double toDouble(const DoubleDouble& a, int n) {
   return __builtin_ldexp(toDouble(a), n);
 }
@@ -182,16 +182,16 @@ inline Pair asPair(const DoubleDouble& a) {
   return {a.high, a.low};
 }
 
-/** What else the set-up asks of its type of number. */
+/** What the set-up needs to know of its type of number. */
 template <class Real>
 struct Number;
 
 template <>
 struct Number<DoubleDouble> {
-  static constexpr int kPrecision = 106;  ///< bits that count
+  static constexpr int kPrecision = 106;  ///< significant bits
   static DoubleDouble pi() { return {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}; }
   static DoubleDouble powerOfTwo(int n) { return __builtin_ldexp(1.0, n); }
-  /** x·2ⁿ, exactly as long as that is a double. */
+  /** Returns x·2ⁿ, exactly where that is a double. */
   static DoubleDouble exactly(double x, int n) { return __builtin_ldexp(x, n); }
 };
 

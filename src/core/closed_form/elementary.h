@@ -15,7 +15,7 @@ POINSOT_INLINE To bitsOf(From from) {
   return __builtin_bit_cast(To, from);
 }
 
-/** The nearest integer, for |x| < 2⁵¹. */
+/** Returns the nearest integer, for |x| < 2⁵¹. */
 POINSOT_INLINE double nearest(double x) {
   constexpr double kShift = 0x1.8p52;
   return (x + kShift) - kShift;
@@ -25,7 +25,7 @@ struct SinCos {
   double sin, cos;
 };
 
-/** a·b + c: one rounding and one instruction where the processor has it. */
+/** Returns a·b + c, with one rounding and in one instruction where the processor has that. */
 POINSOT_INLINE double mulAdd(double a, double b, double c) {
 #ifdef POINSOT_FMA
   return __builtin_fma(a, b, c);
@@ -34,7 +34,7 @@ POINSOT_INLINE double mulAdd(double a, double b, double c) {
 #endif
 }
 
-/** c₀ + c₁x + c₂x² + … */
+/** Returns c₀ + c₁x + c₂x² + … */
 POINSOT_INLINE double polynomial(double, double c0) {
   return c0;
 }
@@ -44,8 +44,8 @@ POINSOT_INLINE double polynomial(double x, double c0, Rest... rest) {
 }
 
 /**
- * sin and cos for |x| ≤ π/4 + 0.01, to 2⁻⁵⁸ but for rounding: the minimax coefficients of Sun's fdlibm (k_sin.c,
- * k_cos.c).
+ * Returns sin and cos for |x| ≤ π/4 + 0.01, to 2⁻⁵⁸ but for rounding: the minimax coefficients of Sun's fdlibm
+ * (k_sin.c, k_cos.c).
  */
 POINSOT_INLINE SinCos sinCosSmall(double x) {
   const double z = x * x;
@@ -65,7 +65,7 @@ POINSOT_INLINE SinCos turned(SinCos a, double quarters) {
   return {sign * (odd > 0.5 ? a.cos : a.sin), sign * (odd > 0.5 ? -a.sin : a.cos)};
 }
 
-/** The complex product, cos + i sin. */
+/** Returns the product of the complex numbers cos + i sin. */
 POINSOT_INLINE SinCos operator*(SinCos a, SinCos b) {
   return {mulAdd(a.sin, b.cos, a.cos * b.sin), mulAdd(a.cos, b.cos, -(a.sin * b.sin))};
 }
@@ -74,7 +74,7 @@ struct Exponentials {
   double decay, complement, growth;  ///< e⁻ᵃ, 1 − e⁻ᵃ, eᵃ, each to its last bits
 };
 
-/** Of a + rest ≥ −0.3, |rest| ≤ a/100; beyond 600 what holds near 600. */
+/** Returns those of a + rest ≥ −0.3, |rest| ≤ a/100; beyond 600 those near 600. */
 POINSOT_INLINE Exponentials exponentials(double a, double rest) {
   constexpr double kInverseLn2 = 0x1.71547652b82fep+0;
   constexpr double kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;  // high: 32 bits

@@ -4,16 +4,16 @@
 
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 //
-// States on a uniform grid, block by block: at the beginning of each the phases are computed in full, from there to its
-// end what can be is carried on by one multiplication.
+// States on a uniform grid, block by block: the phases are computed in full at the beginning of each block, and from
+// there on, where possible, by one multiplication a state.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
 constexpr int kBlock = 64;
-constexpr int kLanes = 8;  // blocks are rounded up to whole vectors; what is beyond the end is thrown away
+constexpr int kLanes = 8;  // blocks are rounded up to whole vectors; states beyond the end are dropped
 
-/** What a phase that advances by the same step each time is multiplied by, k = 0 … kBlock − 1. */
+/** The factors by which a phase advances in k steps, k = 0 … kBlock − 1. */
 struct Table {
-  alignas(64) double index[kBlock];             ///< k (to convert an integer would halve the width of the vector code)
+  alignas(64) double index[kBlock];  ///< k, because converting integers would halve the width of the vector code
   alignas(64) double cos[kBlock], sin[kBlock];  ///< of 2πk·step
 
   Table(SplitPhase step, int n) {
@@ -66,8 +66,8 @@ class Grid {
       }
       return;
     }
-    // A quarter period should be several blocks; and as the beginning of one is known to roundoff times |x|, a block
-    // should not carry that from afar to x = 0.
+    // A quarter period should be several blocks. The error at the beginning of a block is roundoff times |x|, which the
+    // block should not carry from large |x| to x = 0.
     const double advance = magnitude(half_step.high) * kBlock;
     if (advance < 0.125 && advance * c_.span < 2) {
       if (c_.nome[1] < kShortNome) {
@@ -83,7 +83,7 @@ class Grid {
         runExactly<true, false>(half, turn);
       }
     } else {
-      // This phase does not wrap: multiples of a long step would not be exact.
+      // This phase does not wrap, so multiples of a long step would not be exact.
       for (long j = 0; j < n_; ++j) runSingly(j);
     }
   }
@@ -116,8 +116,7 @@ class Grid {
     }
   }
 
-  /** Blocks that never cross x = 0 nor a whole half-period: there E and H grow or decay by the same factor each time.
-   */
+  /** Blocks that cross neither x = 0 nor a whole half-period, so that E and H change by the same factor each time. */
   template <bool kShort>
   void runSmoothly(const DoubleDouble& half_step, const DoubleDouble& turn_step) {
     const DoubleDouble z_turn = c_.z_turn;
@@ -160,7 +159,7 @@ class Grid {
     }
   }
 
-  /** Every phase of Ω by itself. */
+  /** Each phase of Ω computed by itself. */
   template <bool kHyperbolic, bool kShort>
   void runExactly(SplitPhase half_step, SplitPhase turn_step) {
     const Table turns(turn_step, size());

@@ -34,14 +34,14 @@ struct InternalAxes {
   }
 };
 
-/** Moments in ascending order. */
+/** Sorts the moments in ascending order. */
 inline InternalAxes ascending(const Start& s) {
   constexpr int kExchanges[] = {0, 1, 0};
   InternalAxes axes;
   for (const int i : kExchanges) {
     if (axes.moment(s, i + 1) < axes.moment(s, i)) {
       axes.exchange(i, i + 1);
-      axes.sign[1] = -axes.sign[1];  // an exchange alone is no rotation
+      axes.sign[1] = -axes.sign[1];  // an exchange alone would be a reflection
     }
   }
   return axes;

@@ -6,9 +6,9 @@
 namespace poinsot::closed_form {
 
 /**
- * The hot code for one instruction set. The same headers are compiled once for each, all in a namespace of its name
- * (POINSOT_SIMD_LEVEL): were an inline function shared between them, the linker would keep one for all, and might keep
- * that of a newer processor.
+ * The hot code for one instruction set. The same headers are compiled once for each, in a namespace of its name
+ * (POINSOT_SIMD_LEVEL): of a shared inline function the linker would keep one for all, perhaps that of a newer
+ * processor.
  */
 struct Level {
   const char* name;
@@ -16,16 +16,16 @@ struct Level {
   /** For starts that isOrdinary() accepts. */
   void (*set_up)(const Start& start, Constants& constants);
 
-  /** Reduced: half to two half-periods, turn to one turn; on the separatrix half is cut off far out. False as below. */
+  /** Sets reduced phases: half to two half-periods (bounded on the separatrix), turn to one turn. False as below. */
   bool (*phases)(const Constants& constants, double t, Phases& out);
 
-  /** The state; attitude as x, y, z, w. False, and nothing done, beyond Constants::reach. */
+  /** Sets the state; attitude as x, y, z, w. Returns false, with nothing set, beyond Constants::reach. */
   bool (*at)(const Constants& constants, double t, double* attitude, double* omega);
 
-  /** The state at phases that are reduced. */
+  /** Sets the state at reduced phases. */
   void (*at_phases)(const Constants& constants, const Phases& phases, double* attitude, double* omega);
 
-  /** States at t0 + j·dt, j = 0 … n−1: w, x, y, z, Ω₁, Ω₂, Ω₃ into columns[quantity][j]. False as above. */
+  /** Writes the states at t0 + j·dt, j = 0 … n−1: w, x, y, z, Ω₁, Ω₂, Ω₃ into columns[quantity][j]. False as above. */
   bool (*sample)(const Constants& constants, double t0, double dt, long n, double* const columns[7]);
 };
 
@@ -35,8 +35,8 @@ constexpr double kFarAlong = 16;
 extern const Level kBaseline, kV3, kV4;
 
 /**
- * The best level that this processor has; no better than the environment variable POINSOT_SIMD (baseline, x86-64-v3,
- * x86-64-v4) says, if it is set when this is first called.
+ * Returns the best level that this processor has, but none above that in the environment variable POINSOT_SIMD
+ * (baseline, x86-64-v3, x86-64-v4), if that is set at the first call.
  */
 const Level& bestLevel();
 

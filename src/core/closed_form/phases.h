@@ -33,7 +33,7 @@ inline double scaledTime(const Constants& c, double t) {
   return t * c.time_scale;
 }
 
-/** rate·t + start without the final sums: the series take a phase of any size in two parts. */
+/** Returns rate·t + start without the final sums, because the series take a phase in two parts. */
 inline SplitPhase phaseAt(const Pair& rate, double t, const Pair& start) {
   const DoubleDouble product = exactProduct(rate.high, t);
   const DoubleDouble sum = exactSum(product.high, start.high);

@@ -10,7 +10,7 @@ namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 /** Below this nome the hyperbolic series need fewer terms. */
 constexpr double kShortNome = 3e-5;
 
-/** Added to numbers whose powers are added to 1, so that no power underflows: that would be slow. */
+/** Added to numbers whose powers are added to 1: it keeps powers from underflowing, which would be slow. */
 constexpr double kSmallest = 1e-40;
 
 /** Attitude w, x, y, z; and along the internal axes Ω over its amplitudes: cn, sn, dn. */
@@ -60,13 +60,13 @@ POINSOT_INLINE Evaluation assemble(const Constants& c, double cn, double sn, dou
   return out;
 }
 
-/** cos and sin of 2π(f + g), g small. */
+/** Returns cos and sin of 2π(f + g), g small. */
 POINSOT_INLINE SinCos turnBy(SplitPhase f, double g) {
   const double quarters = nearest(4.0 * (f.grid + g));
   return turned(sinCosSmall(2.0 * kPi * ((mulAdd(-0.25, quarters, f.grid) + g) + f.rest)), quarters);
 }
 
-/** cos and sin of α = πv, each to its last bits also near its zeros. */
+/** Returns cos and sin of α = πv, each to its last bits also near its zeros. */
 POINSOT_INLINE SinCos amplitude(SplitPhase v) {
   const double quarters = nearest(2.0 * v.grid);
   return turned(sinCosSmall(kPi * (mulAdd(-0.5, quarters, v.grid) + v.rest)), quarters);
@@ -86,7 +86,7 @@ POINSOT_INLINE Evaluation trigonometric(const Constants& c, SinCos alpha, SinCos
                   z_real, z_imag, turn);
 }
 
-/** Where on the hyperbolic side: v less its nearest whole number n. */
+/** The place on the hyperbolic side: v less its nearest whole number n. */
 struct HyperbolicPlace {
   double grid, rest;  ///< d = v − n, |d| ≤ ½
   double d, side;     ///< their sum and its sign
@@ -111,8 +111,8 @@ POINSOT_INLINE Decays decays(const Constants& c, const HyperbolicPlace& v) {
   // The larger of the two has the smaller exponent; the other is √q' over it.
   const bool inner = v.side * v.d < 0.25;
   const double way = inner ? v.side * v.grid : 0.5 - v.side * v.grid;
-  // The exponent in two parts: where a moment is tiny Ω may be large where E is small, and a rounding of x counts
-  // x-fold.
+  // The exponent has two parts, because with a tiny moment Ω may be large where E is small, and rounding errors of x
+  // are multiplied by x.
   const SplitPhase split = splitPhase({way, inner ? v.side * v.rest : -(v.side * v.rest)});
   const Exponentials e = exponentials(c.span_high * split.grid, mulAdd(c.span_rest, split.grid, c.span * split.rest));
   const double other = c.root_nome * e.growth;
@@ -122,7 +122,7 @@ POINSOT_INLINE Decays decays(const Constants& c, const HyperbolicPlace& v) {
 
 /**
  * Jacobi's imaginary transform: θ functions and Z from E and H.
- * @param kShort leave out what is below roundoff for q' < kShortNome
+ * @param kShort leave out the terms that are below roundoff for q' < kShortNome
  * @param turn e^{2πif + iηd}, with the part of arg Z that is linear in d
  */
 template <bool kShort>

@@ -10,8 +10,7 @@
 
 // Compiled once for each instruction set: see levels.h. Nothing here may be shared between them.
 //
-// Everything is a template on the type of number: DoubleDouble where that suffices, or one with far more bits and an
-// unlimited exponent.
+// All functions are templates on the type of number: DoubleDouble, or one with far more bits and an unlimited exponent.
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
 constexpr double kLargest = 0x1.fffffffffffffp1023;
@@ -48,7 +47,7 @@ void normalisedAttitude(const Start& start, Real out[4]) {
   for (int i = 0; i < 4; ++i) out[i] = out[i] * inverse;
 }
 
-/** Rest, a sphere, a spin about a principal axis or across two equal moments: Euler's Ω̇ = 0, decided exactly. */
+/** Returns, exactly, whether Ω̇ = 0: rest, a sphere, a spin about a principal axis or across two equal moments. */
 inline bool isSteady(const Start& s) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -147,7 +146,7 @@ Real hyperbolicSeries(const Real& nome, const Real& cos_half, const Real& sin_ha
   double power = 1;
   for (double& x : c.nome) {
     x = power;
-    power = power * q > 1e-150 ? power * q : 0;  // slow to compute with, and nothing beside 1
+    power = power * q > 1e-150 ? power * q : 0;  // smaller ones are slow to compute with, and negligible beside 1
   }
   // cos and sin of (n + ½)η: each is the last one turned by η
   const Real cos_whole = cos_half * cos_half - sin_half * sin_half, sin_whole = scaled(cos_half * sin_half, 2);
@@ -221,7 +220,7 @@ Rates<Real> setUpMoving(const Start& start, int omega_exponent, int moment_expon
   if (i31 < zero) p = -p;
   const Real drift = a_squared / ((G + C) * I[0]) + C / I[2];  // ψ̇ at u = 0
 
-  // cot² of the amplitude at the start: beyond 1/roundoff⁴ an angle of 0 will do.
+  // cot² of the amplitude at the start; beyond 1/roundoff⁴ the angle counts as 0.
   const Real far = Number<Real>::powerOfTwo(2 * Number<Real>::kPrecision + 8);
   const bool begins_at_zero = M[1] == zero || !(abs(M[0]) < abs(M[1]) * far);
   const Real ratio = begins_at_zero ? one : M[0] / M[1];
@@ -319,7 +318,7 @@ Rates<Real> setUp(const Start& start, Constants& c) {
     omega = magnitude(start.omega[i]) > omega ? magnitude(start.omega[i]) : omega;
     moment = start.moments[i] > moment ? start.moments[i] : moment;
   }
-  // Cut off where 2^e would leave the range of doubles: the scaled Ω is then somewhat far from 1.
+  // Bounded so that 2^e stays in the range of doubles; the scaled Ω may then be far from 1.
   constexpr int kMostExponent = 1000;
   int omega_exponent = omega == 0 ? 0 : exponentOf(omega);
   if (omega_exponent > kMostExponent) omega_exponent = kMostExponent;

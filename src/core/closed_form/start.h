@@ -2,7 +2,7 @@
 
 namespace poinsot::closed_form {
 
-/** What a closed form is made from, in principal axes: moments positive and finite, attitude w, x, y, z not zero. */
+/** The start of a closed form, in principal axes: moments positive and finite, attitude w, x, y, z not zero. */
 struct Start {
   double moments[3], omega[3], attitude[4];
 };

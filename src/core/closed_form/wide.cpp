@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// wide_number.h comes first: the templates of the others must see its functions.
+// wide_number.h comes first, because the templates of the others must see its functions.
 #define POINSOT_SIMD_LEVEL wide
 // clang-format off
 #include "wide_number.h"
@@ -13,9 +13,9 @@
 namespace poinsot::closed_form {
 namespace wide {
 
-// Phases are some 110 bits below a turn and as many bits above as it takes: up to 2¹⁰²⁴ s times 2¹⁰²⁴ rad/s.
+// Phases need some 110 bits below a turn and as many above as there are: up to 2¹⁰²⁴ s times 2¹⁰²⁴ rad/s.
 constexpr int kMostBits = 2304;
-// Almost all of those that are asked for are far smaller, and ten times cheaper.
+// Nearly all phases are far smaller, and take a tenth of the time.
 constexpr int kFewBits = 512;
 constexpr double kFewBitsReach = 0x1p380;  // turns
 
@@ -40,7 +40,7 @@ class Motion {
     rates_ = setUp<Real>(start, unused);
   }
 
-  /** At t0 + j·dt. */
+  /** Returns the phases at t0 + j·dt. */
   Phases phasesAt(double t0, double dt, long j) const {
     const Real time = (Real(t0) + Real(dt) * j) * constants_.time_scale;
     const Real half = rates_.half_start + rates_.half * time;
@@ -66,7 +66,7 @@ void withMotion(const Start& start, const Constants& constants, double reach, co
 }  // namespace wide
 
 bool isOrdinary(const Start& start) {
-  // With these, every product in the set-up stays above 2⁻¹⁰⁰⁰, or is added to something far larger.
+  // Within these limits, every product in the set-up stays above 2⁻¹⁰⁰⁰ or is added to a far larger number.
   constexpr int kOmegaBits = 480, kMomentBits = 60;
   double omega = 0, least_omega = HUGE_VAL, moment = 0, least_moment = HUGE_VAL;
   for (int i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ void sampleWide(const Start& start, const Constants& constants, double t0, doubl
 }
 
 Pair exactDiscriminant(double w3, double i3, double i2, double i1, double w1) {
-  // Exact: of an ordinary start each of the two terms has at most 2·53 + 53 + (53 + 60 + 1) bits.
+  // Exact, because for an ordinary start each of the two terms has at most 2·53 + 53 + (53 + 60 + 1) bits.
   using Exact = wide::Wide<448>;
   return wide::asPair(
       Exact(Exact(w3) * w3 * (Exact(i3) * (Exact(i3) - i2)) - Exact(w1) * w1 * (Exact(i1) * (Exact(i2) - i1))));

@@ -7,7 +7,7 @@
 
 namespace poinsot::closed_form::POINSOT_SIMD_LEVEL {
 
-/** What set_up.h asks of a number, with as many bits as one likes and an exponent of 30 bits. Allocates nothing. */
+/** A number for set_up.h, of any number of bits and with an exponent of 30 bits. Does not allocate. */
 template <int kBits>
 using Wide =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<kBits, boost::multiprecision::digit_base_2>,

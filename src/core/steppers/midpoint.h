@@ -34,7 +34,7 @@ class Midpoint {
       const Eigen::Vector3d change = solve(0.5 * scale, m, scale.cwiseProduct(m) - theta);
       theta += change;
       const double moved = change.squaredNorm(), size = theta.squaredNorm();
-      // Small enough, or as small as rounding lets it become.
+      // Converged, as far as rounding allows.
       if (moved <= 1e-32 * size || (moved <= 1e-28 * size && moved >= 0.25 * last)) {
         rotate(state, theta);
         return i + 1;

@@ -9,26 +9,24 @@
 namespace poinsot::steppers {
 
 /**
- * The moments with which one step of the discrete Moser–Veselov map follows the free body to order 2n (preprocessing:
- * E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225–13235). They depend on E, |L| and h alone, so that a whole motion
- * has the same ones.
+ * Returns the moments with which one step of the discrete Moser–Veselov map follows the free body to order 2n
+ * (preprocessing: E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225–13235), in the form |L|h/(2μ̃), for the three axes
+ * in the order of `moments`. They depend on E, |L| and h alone, so that they are the same for a whole motion.
  *
  * The paper gives series in h² with polynomials in E and |L|². Here the coefficients are found as numbers. The map
- * moves along the polhode by the same phase from wherever it starts, so that one step settles it: the one that lies
- * symmetrically about the place where the component along the axis of intermediate moment is 0, as it is somewhere on
- * every orbit in the plane of the other two, where Λ = (X, 0, Z):
- *   the flow from there, by Taylor's series, gives Λ(h/2) = (X f, X Z y, Z g) and, twice the turn since, Gibbs' vector
- *   of the step, (e₁, 0, e₃); then μ̃₁ = (h/2)(1 + e²)X f/e₁, μ̃₃ = (h/2)(1 + e²)Z g/e₃, cut off after n terms.
- * 1/μ̃ is a/μ + b with the same a and b for all three, which is how the second one follows.
+ * moves along the polhode by the same phase from any start, so that one step determines them: the one that lies
+ * symmetrically about the place, found on every orbit, where the component along the axis of intermediate moment is 0.
+ * There Λ = (X, 0, Z): the flow from there, by Taylor's series, gives Λ(h/2) = (X f, X Z y, Z g) and, twice the turn
+ * since, Gibbs' vector of the step, (e₁, 0, e₃); then μ̃₁ = (h/2)(1 + e²)X f/e₁, μ̃₃ = (h/2)(1 + e²)Z g/e₃, cut off after
+ * n terms. 1/μ̃ is a/μ + b with the same a and b for all three, from which μ̃₂ follows.
  *
- * @return |L|h/(2μ̃), for the three axes in the order of `moments`.
  * @param terms n ≥ 1; 1 gives the moments themselves.
  * @param inverse_inertia 2E/|L|².
  * @param half_angular |L|h/2.
  */
 template <int terms>
 Eigen::Vector3d modifiedInverses(const Eigen::Vector3d& moments, double inverse_inertia, double half_angular) {
-  // In units in which |L| = 1 and h/2 = 1.
+  // Units: |L| = 1 and h/2 = 1.
   const Eigen::Vector3d inverse = moments.cwiseInverse(), b = half_angular * inverse;
   if constexpr (terms == 1) return b;
   const std::array<int, 3> axis = ascendingAxes(moments);

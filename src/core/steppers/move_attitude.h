@@ -7,7 +7,7 @@
 
 namespace poinsot::steppers {
 
-/** q + increment, brought back to |q| = 1 along itself, which does not turn it. Summed with compensation. */
+/** Adds an increment to q and scales the sum to |q| = 1; summed with compensation. */
 inline void moveAttitude(Eigen::Vector4d& q, Vector4& attitude_rest, const Eigen::Vector4d& increment) {
   const Eigen::Vector4d moved = q + increment;
   const double norm = moved.norm();
@@ -15,7 +15,7 @@ inline void moveAttitude(Eigen::Vector4d& q, Vector4& attitude_rest, const Eigen
     Eigen::Vector4d rest = attitude_rest;
     addCompensated<Eigen::Vector4d>(q, rest, increment + (1.0 / norm - 1.0) * moved);
     attitude_rest = rest;
-  } else {  // a step so long that the correction is no small one: as a sum it would lose what is left
+  } else {  // a step so long that the correction is large, and adding it would lose digits
     q = moved / moved.stableNorm();
     attitude_rest.setZero();
   }

@@ -10,14 +10,13 @@
 namespace poinsot::steppers {
 
 /**
- * Undoes what rounding did to E since the last time, for methods that keep E: their implicit equation is solved to
- * roundoff only, which adds up to some 5e-21 a step, always the same way. It matters most near the unstable axis, from
- * which a body departs the sooner the farther it is from the separatrix. There the distance that counts,
- * 2E/|L|² − 1/μᵢ, is tiny, and a rounding of E is no small part of it.
+ * Undoes the drift of E by rounding since the last time, for methods that keep E: their implicit equation is solved to
+ * roundoff only, an error of some 5e-21 a step, always of the same sign. It matters most near the unstable axis, which
+ * a body leaves the sooner the farther it is from the separatrix. There the distance 2E/|L|² − 1/μᵢ is tiny, and
+ * rounding of E is a large part of it.
  *
- * That distance is a sum over the other two axes, Σ nⱼ²(1/μⱼ − 1/μᵢ) with n = Λ/|L|, in which nothing is lost near
- * axis i: of the three the one is taken that loses least. Λ is moved along the gradient of E on the sphere of |L|, each
- * component in proportion to itself.
+ * That distance is a sum over the other two axes, Σ nⱼ²(1/μⱼ − 1/μᵢ) with n = Λ/|L|, which loses no digits near axis i;
+ * of the three axes the one that loses least is taken. Λ is moved along the gradient of E on the sphere of |L|.
  */
 class EnergyKeeper {
  public:
@@ -30,14 +29,14 @@ class EnergyKeeper {
     }
   }
 
-  /** 2E/|L|² − 1/μᵢ for i = 0, 1, 2. */
+  /** Returns 2E/|L|² − 1/μᵢ for i = 0, 1, 2. */
   Eigen::Vector3d gaps(const FreeRotationState& state) const {
     Eigen::Vector3d out;
     for (int i = 0; i < 3; ++i) out[i] = gap(state, i).value;
     return out;
   }
 
-  /** To the state's kept_energy_gaps. */
+  /** Brings E back to the state's kept_energy_gaps. */
   void restore(FreeRotationState& state) const {
     Gap least = gap(state, 0);
     int axis = 0;
@@ -73,7 +72,7 @@ class EnergyKeeper {
     if (!(slope > kLeastSlope * spread_ * spread_)) return;  // on the axis
     const double by = 0.5 * (state.kept_energy_gaps[i] - value) / slope;
     const double size = std::sqrt(slope) * std::abs(by);
-    if (!(size <= kMostRestored)) return;  // no rounding does that
+    if (!(size <= kMostRestored)) return;  // more than rounding can do
     for (int j = 0; j < 3; ++j) addCompensated(p[j], rest[j], by * d[j] * p[j]);
   }
 

@@ -8,18 +8,18 @@
 
 namespace poinsot::steppers {
 
-/** Of methods that turn the body once a step; the others, as many steps as take about 8 turns. */
+/** For methods that turn the body once a step; fewer for the others, so that about 8 turns lie between. */
 constexpr int kStepsBetweenRestorations = 8;
-/** The most that L is moved at a time, relative: the rounding errors of 8 turns. */
+/** The largest relative change of L at a time: the rounding errors of 8 turns. */
 constexpr double kMostRestored = 4e-15;
 
 /**
- * Undoes what rounding did to L since the last time: the attitude is turned so that RΛ points along the L that is to
- * be kept, and Λ scaled to its length.
+ * Undoes the drift of L by rounding since the last time: turns the attitude so that RΛ points along the conserved L,
+ * and scales Λ to its length.
  *
- * Rounding alone makes RΛ drift by some 1e-18 a step, and always the same way in a steady spin; |L| by as much as
- * 5e-17. With this, L stays where it was to 3e-15 after any number of steps. It moves L by no more than rounding does,
- * which is too little to hide a method that does not keep L.
+ * Rounding alone makes RΛ drift by some 1e-18 a step, in a steady spin always the same way, and |L| by up to 5e-17.
+ * With this, L stays the same to 3e-15 after any number of steps. The changes are no larger than rounding errors, too
+ * small to hide a method that does not keep L.
  */
 inline void restoreMomentum(FreeRotationState& state) {
   double* const q = state.attitude.coeffs().data();  // x, y, z, w

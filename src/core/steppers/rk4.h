@@ -9,14 +9,14 @@ namespace poinsot::steppers {
 
 /**
  * The classical Runge–Kutta method (Kutta 1901) on q̇ = ½q(0,Ω), Λ̇ = Λ × Ω, Ω = M⁻¹Λ, the quaternion renormalised at
- * each step: what most people write first. Fourth order; conserves nothing exactly.
+ * each step: the usual first choice. Fourth order; conserves nothing exactly.
  *
  * Two things keep roundoff below its truncation error for longer: the increments are summed with compensation, and the
  * right-hand side divides by the moments instead of multiplying by rounded inverses, which would be the moments of a
  * slightly different body.
  *
- * A polynomial in h: where |Ω|h is beyond its limit of stability, 2.8, Λ grows without bound, until it is infinite or
- * NaN and so is the attitude. No such state is made to look right; judgeStep() knows beforehand.
+ * Beyond the limit of stability, |Ω|h = 2.8, Λ grows without bound until Λ and the attitude are infinite or NaN.
+ * judgeStep() refuses such steps beforehand.
  */
 class Rk4 {
  public:

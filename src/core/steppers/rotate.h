@@ -7,13 +7,13 @@
 namespace poinsot::steppers {
 
 /**
- * The move that all Lie-group methods share: the body turns by the rotation vector θ (body axes) while L stays,
+ * The move of all Lie-group methods: the body turns by the rotation vector θ (body axes) while L stays,
  *   q ← q·exp(θ),  Λ ← exp(−θ)Λ = Λ − (sin|θ|/|θ|) θ×Λ + ((1 − cos|θ|)/|θ|²) θ×(θ×Λ).
  * The increments of Λ are summed with compensation.
  *
  * Component by component: vector instructions that reload what was just stored piecewise would take twice the time.
  *
- * @param turn exp(θ), for those who know it without a sine.
+ * @param turn exp(θ), for methods that know it without a sine.
  */
 inline void rotate(FreeRotationState& state, const Eigen::Vector3d& theta, const HalfTurn& turn) {
   const double v0 = theta[0], v1 = theta[1], v2 = theta[2];
@@ -46,8 +46,8 @@ inline void rotate(FreeRotationState& state, const Eigen::Vector3d& theta) {
   rotate(state, theta, halfTurn(theta));
 }
 
-/** exp(−θ)Λ: Λ as seen from the body after it has turned by θ. Called out of line, a step of rkmk4 takes half as long
- * again. */
+/** Returns exp(−θ)Λ: Λ seen from the body after it has turned by θ. Out of line, a step of rkmk4 would take half as
+ * long again. */
 [[gnu::always_inline]] inline Eigen::Vector3d turnedBack(const Eigen::Vector3d& momentum,
                                                          const Eigen::Vector3d& theta) {
   const HalfTurn turn = halfTurn(theta);

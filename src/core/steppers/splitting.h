@@ -10,7 +10,8 @@
 
 namespace poinsot::steppers {
 
-/** Symmetric compositions exp(a₁A) exp(b₁B) exp(a₂A) … exp(a₁A), each coefficient once, from the ends to the middle. */
+/** Symmetric compositions exp(a₁A) exp(b₁B) exp(a₂A) … exp(a₁A). Coefficients are listed from the ends to the middle,
+ * each once. */
 struct Strang {
   static constexpr int kOrder = 2;
   static constexpr std::array<double, 1> kA = {0.5};
@@ -40,19 +41,19 @@ struct BlanesMoan6 {
 /**
  * Splitting into turns about two axes: with μ_b the intermediate moment,
  *   E = |Λ|²/2μ_b + ½(1/μ_a − 1/μ_b)Λ_a² + ½(1/μ_c − 1/μ_b)Λ_c².
- * The first term's flow, a steady turn about L, commutes with everything and is applied once a step; the other two are
- * a turn about axis a that leaves Λ_a alone, and one about c (R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168;
+ * The flow of the first term, a steady turn about L, commutes with the others and is applied once a step; the other two
+ * are turns about axis a, which leave Λ_a alone, and about c (R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168;
  * F. Fassò, J. Comput. Phys. 189 (2003) 527–551). Composed symmetrically. Conserves L; symplectic, so that the error of
  * E stays bounded.
  */
 template <class Composition>
 class Splitting {
  public:
-  /** Of a step: no field is evaluated; one turn about L, and one for each coefficient of the composition. */
+  /** The work of a step: no evaluation, one turn about L, and one for each coefficient of the composition. */
   static constexpr int kTurns = 2 * static_cast<int>(Composition::kA.size() + Composition::kB.size()) - 1;
   static constexpr Work kWork = {0, 1 + kTurns};
 
-  /** What depends on the body and the step alone. */
+  /** The numbers that depend on the body and the step alone. */
   struct Plan {
     double half_a, half_c;  ///< half the angle of a turn over the whole step, for Λ = 1
     HalfTurn about_momentum;

@@ -1,18 +1,18 @@
 #pragma once
 
 /**
- * Taylor series of a body under torques, for one instruction set: declarations. Plain numbers only: an inline function
- * of a library, compiled in several ways, would be kept in one of them by the linker.
+ * Taylor series of a body under torques, compiled once for each instruction set. Plain numbers only: of an inline
+ * function of a library that is compiled in several ways, the linker would keep one for all.
  */
 namespace poinsot::taylor {
 
 constexpr int kMostOrder = 24;
 constexpr int kMostFields = 4;  ///< Torques' three, and the constant one
 
-/** What does not change from step to step; principal axes. */
+/** The constants of the body and its torques, in principal axes. */
 struct Body {
   double moments[3];
-  int fields;                   ///< world vectors that are carried along
+  int fields;                   ///< number of world vectors
   double maps[kMostFields][9];  ///< column by column: torque = map · Rᵀx
   bool gradient;
   double orbit_rate;
@@ -22,7 +22,7 @@ struct Body {
   double slug_damping, slug_rate;  ///< c and c/J
 };
 
-/** Where a step begins. */
+/** The state at the start of a step, and the world vectors seen from the body. */
 struct Start {
   double attitude[4];  ///< x, y, z, w
   double omega[3], slug_omega[3];
@@ -31,25 +31,25 @@ struct Start {
   double radial[3], along[3];     ///< Rᵀr, Rᵀṙ/n
 };
 
-/** What a step adds. */
+/** The change of the state in a step. */
 struct Increment {
   double attitude[4], omega[3], slug_omega[3];
 };
 
-/** What a step leaves out, as parts of the state or of its change, the worst of all series. NaN where a term is none.
- */
+/** The truncation error of a step, relative to the state or its change: the worst of all series. NaN where a term is
+ * NaN. */
 struct LeftOut {
-  double last_terms;  ///< the larger of the last two terms that are in it
-  double error;       ///< all that would come after them, if they went on to fall as the last four did; may be infinite
+  double last_terms;  ///< the larger of the last two terms
+  double error;       ///< the sum of all later terms, if they fall as the last four did; may be infinite
 };
 
-/** The step h by terms up to h^order, 4 ≤ order ≤ kMostOrder. */
+/** Takes the step h [s] by terms up to h^order, 4 ≤ order ≤ kMostOrder. */
 using Step = LeftOut (*)(const Body& body, const Start& start, int order, double h, Increment& out);
 
 LeftOut stepBaseline(const Body& body, const Start& start, int order, double h, Increment& out);
 LeftOut stepV3(const Body& body, const Start& start, int order, double h, Increment& out);
 
-/** The fastest that this processor can run; POINSOT_SIMD=baseline asks for the plain one. */
+/** Returns the fastest that this processor can run; the baseline where POINSOT_SIMD=baseline is set. */
 Step bestStep();
 
 }  // namespace poinsot::taylor

@@ -42,7 +42,7 @@ inline double largest(Four v) {
   return larger(larger(absolute(v[0]), absolute(v[1])), larger(absolute(v[2]), absolute(v[3])));
 }
 
-/** A vector in body axes, and its axes permuted: what products of series take. */
+/** A vector in body axes, also with its axes permuted, as products of series need it. */
 struct Coefficients {
   Four plain[kMostOrder + 1], yzx[kMostOrder + 1], zxy[kMostOrder + 1];
 
@@ -58,20 +58,20 @@ inline Four times(const double* map, Four v) {
   return four(map) * v[0] + four(map + 3) * v[1] + four(map + 6) * v[2];
 }
 
-/** Σ cₖ for k = order … 1. */
+/** Returns Σ cₖ for k = order … 1. */
 inline Four sum(const Four* c, int order) {
-  // Even and odd powers apart: half as long a chain.
+  // Even and odd powers are summed apart, so that the chain of additions is half as long.
   Four even = c[order & ~1], odd = c[(order - 1) | 1];
   for (int k = (order & ~1) - 2; k >= 2; k -= 2) even += c[k];
   for (int k = ((order - 1) | 1) - 2; k >= 1; k -= 2) odd += c[k];
   return even + odd;
 }
 
-/** The larger, or NaN where one of them is. */
+/** Returns the larger, or NaN where one of them is. */
 inline double worse(double a, double b) {
   return a > b || a != a ? a : b;
 }
-/** The larger of two terms that follow each other: one alone may vanish. */
+/** Returns the larger of two successive terms, because a single one may vanish. */
 inline double pair(const Four* c, int last) {
   return larger(largest(c[last - 1]), largest(c[last]));
 }
@@ -88,11 +88,11 @@ inline LeftOut worse(const LeftOut& a, const LeftOut& b) {
 }
 
 /**
- * Coefficient k of every series has the factor hᵏ in it: a term is of the size of what it adds, whatever the scale of
- * time, where a power of h or of |Ω| alone would leave the range of doubles.
+ * Coefficient k of every series includes the factor hᵏ, so that terms have the size of the increments, whatever the
+ * scale of time; a power of h or of |Ω| alone would leave the range of doubles.
  *
- * Carried vectors: all obey v̇ = v×Ω + something linear. They are the fields, then r and ṙ/n of an orbit, then σ.
- * Their number is a template's, so that their products are all formed in one loop over the coefficients of Ω.
+ * Carried vectors obey v̇ = v×Ω + something linear: the fields, then r and ṙ/n of an orbit, then σ. Their number is a
+ * template parameter, so that their products are all formed in one loop over the coefficients of Ω.
  */
 template <int carried>
 LeftOut step(const Body& body, const Start& start, int order, double h, Increment& out) {
@@ -130,7 +130,7 @@ LeftOut step(const Body& body, const Start& start, int order, double h, Incremen
         cross[i] -= vectors[i].zxy[m] * w_yzx;
       }
     };
-    // What needs the newest coefficients last: the rest goes on while these are still being made.
+    // Terms of the newest coefficients come last, so that the processor can sum the others meanwhile.
     for (int j = 1; j < k; ++j) add(j);
     if (k > 0) add(k);
     add(0);
@@ -151,7 +151,7 @@ LeftOut step(const Body& body, const Start& start, int order, double h, Incremen
       cross[carried > 0 ? slug : 0] += body.slug_rate * slip;
     }
     const double next = h * kInverse[k];
-    // Rounded inverses would be the moments of a slightly different body; in the higher terms that does not show.
+    // Rounded inverses would be moments of a slightly different body, which matters only in the first terms.
     omega.set(k + 1, k < 2 || !invertible ? torque * next / moments : torque * next * inverse_moments);
     for (int i = 0; i < carried; ++i) vectors[i].set(k + 1, cross[i] * next);
     const Four turn = shuffled<3, 2, 1, 0>(a1) * Four{1, 1, -1, -1} + shuffled<2, 3, 0, 1>(a2) * Four{-1, 1, 1, -1} +
@@ -160,7 +160,7 @@ LeftOut step(const Body& body, const Start& start, int order, double h, Incremen
   }
 
   const Four dq = sum(attitude, order), dw = sum(omega.plain, order);
-  // What starts at rest, even without a torque at first, is measured by what it becomes.
+  // Quantities that start at 0 are measured by their size after the step.
   const double speed = larger(larger(largest(omega.plain[0]), largest(omega.plain[1])), largest(dw));
   LeftOut left = worse(leftOut(attitude, order, 1), leftOut(omega.plain, order, speed));
   if (body.slug) {

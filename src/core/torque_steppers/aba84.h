@@ -13,8 +13,7 @@ namespace poinsot::torque_steppers {
  * 258–268, the pair (8, 4). Free motion is dmv8, of order 8, which keeps L and E; kicks are exact, Λ ← Λ + bhτ(t, R),
  * so that L changes by the torques' impulse and nothing else. Symplectic where the torque has a potential.
  *
- * Takes torques that depend on t and R alone: a kick with damping would have to be solved, and one of the kicks runs
- * backwards.
+ * Takes torques that depend on t and R alone: with damping, kicks would not be exact, and one of them runs backwards.
  */
 class Aba84 final : public TorqueStepper {
  public:

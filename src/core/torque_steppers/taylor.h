@@ -13,9 +13,9 @@ namespace poinsot::torque_steppers {
  * Mathematics 14 (2005) 99–117. Of any order, conserves nothing exactly, and everything to its truncation error. Takes
  * every torque.
  *
- * A step whose last two terms exceed 1e-6 of the state, and which would err by more than 2e-5 as far as its terms tell,
- * is taken in halves, and those in halves, until the last two terms of each are below 1e-6. So a step of a sensible
- * length is taken as it is; one that is too long for the motion is cut finely.
+ * A step whose last two terms exceed 1e-6 of the state, and whose error is above 2e-5 by its terms, is halved, and the
+ * halves likewise, until the last two terms of each are below 1e-6. So a step of a sensible length is taken whole, and
+ * one that is too long for the motion is divided finely.
  */
 template <int order>
 class Taylor final : public TorqueStepper {
@@ -64,7 +64,7 @@ class Taylor final : public TorqueStepper {
       }
       return;
     }
-    // It moves faster than any step can follow, or is not finite: whoever looks at it is told so.
+    // The body moves faster than any step can follow, or is not finite: callers see a state of NaN.
     state.momentum_principal.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 

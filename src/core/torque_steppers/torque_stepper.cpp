@@ -21,7 +21,7 @@ Work TorqueStepper::advanceFrom(RotationState& state, double time, double length
   if (switches.empty()) return step(state, time, length, torques_.constant(0));
 
   const double end = time + length;
-  // A switch that rounding has put beside an end of the step is at that end.
+  // A switch that differs from an end of the step by rounding only lies at that end.
   const double near = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(time), std::abs(end));
   const double low = std::min(time, end) + near, high = std::max(time, end) - near;
   const auto first = std::upper_bound(switches.begin(), switches.end(), low);

@@ -8,7 +8,7 @@
 
 namespace poinsot::torque_steppers {
 
-/** What all methods for bodies under torques share: steps end where a torque switches. */
+/** The base of all methods for bodies under torques: their steps end where a torque switches. */
 class TorqueStepper : public Stepper {
  public:
   /** @param torques that act on the body; its moments are theirs. */
@@ -16,11 +16,11 @@ class TorqueStepper : public Stepper {
 
   Work advance(RotationState& state, std::int64_t first, double step, std::int64_t count) const final;
 
-  /** In one step, or in several that end where a torque switches in between. */
+  /** Takes one step, or several that end where a torque switches in between. */
   Work advanceFrom(RotationState& state, double time, double length) const final;
 
  protected:
-  /** One step of h [s] from t on; `constant` holds for all of it. */
+  /** Takes one step of h [s] from t on, in all of which `constant` acts. */
   virtual Work step(RotationState& state, double t, double h, const Torques::Constant& constant) const = 0;
 
   const Torques& torques() const { return torques_; }

@@ -8,8 +8,10 @@
 
 namespace poinsot {
 
-/** A torque that is constant in the body (a leaking thruster) or in the world; then L(t) = L₀ + τt, whatever the body
- * does. */
+/**
+ * A torque that is constant in body axes (a leaking thruster) or in world axes; in these, L(t) = L₀ + τt whatever the
+ * attitude.
+ */
 struct ConstantTorque {
   /** The type's name in scene files. */
   static constexpr const char* kName = "constant_torque";
@@ -17,7 +19,7 @@ struct ConstantTorque {
   Axes axes = Axes::body;                            ///< in which it is constant
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< [N·m]
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     return std::string("frame ") + (axes == Axes::body ? "body" : "world") + ", torque " + effects::text(torque);
   }

@@ -21,7 +21,7 @@ struct GravityGradient {
   Eigen::Vector3d orbit_normal = Eigen::Vector3d::UnitZ();     ///< N, world axes, of any length but 0
   Eigen::Vector3d radial_at_start = Eigen::Vector3d::UnitX();  ///< r(0), world axes, perpendicular to N
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     return "orbit_rate " + effects::text(orbit_rate) + ", orbit_normal " + effects::text(orbit_normal) +
            ", radial_at_start " + effects::text(radial_at_start);

@@ -20,7 +20,7 @@ struct GravityTorque {
   Eigen::Vector3d gravity = {0, 0, -9.80665};                ///< g [m/s²], world axes
   Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< c [m], body axes, from the pivot
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     return "mass " + effects::text(mass) + ", gravity " + effects::text(gravity) + ", centre_of_mass " +
            effects::text(centre_of_mass);

@@ -21,7 +21,7 @@ struct InternalDissipation {
   double slug_inertia = 0;  ///< J [kg·m²], positive
   double damping = 0;       ///< c [N·m·s], not negative
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     return "slug_inertia " + effects::text(slug_inertia) + ", damping " + effects::text(damping);
   }

@@ -6,10 +6,10 @@
 /** Values as text with 17 significant digits, from which they can be read back. */
 namespace poinsot::effects {
 
-/** The value, "%.17g". */
+/** Returns the value as by "%.17g", whatever the locale. */
 std::string text(double value);
 
-/** "[x, y, z]". */
+/** Returns "[x, y, z]". */
 std::string text(const Eigen::Vector3d& v);
 
 }  // namespace poinsot::effects

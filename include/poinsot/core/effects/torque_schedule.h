@@ -23,7 +23,7 @@ struct TorqueSchedule {
   };
   std::vector<Segment> segments;  ///< in any order
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     std::string out;
     for (const Segment& s : segments) {

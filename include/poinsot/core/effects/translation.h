@@ -9,7 +9,7 @@ namespace poinsot {
 
 /**
  * Uniformly accelerated motion of the centre of mass, b(t) = b₀ + v₀t + ½at², in world axes [m, m/s, m/s²]. It is in
- * closed form and does not know the rotation, nor the rotation it.
+ * closed form and does not depend on the rotation, nor the rotation on it.
  */
 struct Translation {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< b₀, at t = 0 [m]
@@ -19,15 +19,15 @@ struct Translation {
   /** The type's name in scene files. */
   static constexpr const char* kName = "translation";
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const {
     return "position " + effects::text(position) + ", velocity " + effects::text(velocity) + ", acceleration " +
            effects::text(acceleration);
   }
 
-  /** b(t) [m], world axes. */
+  /** Returns b(t) [m], world axes. */
   Eigen::Vector3d positionAt(double t) const;
-  /** db/dt [m/s], world axes. */
+  /** Returns db/dt [m/s], world axes. */
   Eigen::Vector3d velocityAt(double t) const;
 };
 

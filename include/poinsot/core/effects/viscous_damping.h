@@ -15,7 +15,7 @@ struct ViscousDamping {
 
   Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();  ///< c [N·m·s], not negative
 
-  /** All keys and values, as scene files have them, with 17 significant digits. */
+  /** Returns all keys and values as in scene files, with 17 significant digits. */
   std::string text() const { return "coefficient " + effects::text(coefficients); }
   /** Adds its torque to the sum. Throws std::invalid_argument for coefficients that are negative or not finite. */
   void addTo(Torques& torques) const { torques.addDamping(coefficients); }

@@ -19,7 +19,7 @@ namespace poinsot::audit {
 struct Options {
   double drift = 1e-3;  ///< E and L may drift by no more than this, relatively, whatever the method allows
 
-  // What the stream is meant to carry; checks of what it is not meant to carry are left out.
+  // Which topics are expected; checks of the others are left out.
   bool tf = true, odometry = true, markers = true;
 
   /**
@@ -32,12 +32,12 @@ struct Options {
 };
 
 /**
- * Judges a stream of messages as a stranger would receive it: from the messages alone, with physics of its own.
+ * Judges a stream of messages from the messages alone, with physics of its own.
  *
- * Messages of one topic come in the order in which they were sent, or in the order of a bag; topics may come in any
- * order between them. What comes again, as when a bag is played in a loop, is judged once. A body is
- * known by the namespace of its topics, `[ns/]<body>/state`; its frame by its odometry's child_frame_id, or where there
- * is no odometry by the frame whose name ends with the body's and which moves as its state does.
+ * Messages of one topic must come in the order in which they were sent, or in that of a bag; topics may be mixed in any
+ * order. A message that comes again, as when a bag is played in a loop, is judged once. A body is known by the
+ * namespace of its topics, `[ns/]<body>/state`; its frame is its odometry's child_frame_id, or, without odometry, the
+ * frame whose name ends with the body's and which moves as its state does.
  */
 class Audit {
  public:
@@ -49,10 +49,10 @@ class Audit {
   void add(const tf2_msgs::TFMessage& message, bool is_static);
   void add(const visualization_msgs::MarkerArray& message, const std::string& topic);
 
-  /** True when no state and no description has come. */
+  /** Returns whether neither a state nor a description has been received. */
   bool empty() const { return states_.empty() && descriptions_.empty(); }
 
-  /** Evaluates all that has come so far. */
+  /** Returns the checks of all messages received so far. */
   Report report() const;
 
  private:

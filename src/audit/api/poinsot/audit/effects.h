@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-/** What acts on a body, read from the texts of its description: "type: key value, key value". */
+/** The effects on a body, read from the texts of its description: "type: key value, key value". */
 namespace poinsot::audit {
 
 struct Effects {
-  /** Constant in body or world axes for from ≤ t < to [s]. */
+  /** A torque that is constant in body or world axes for from ≤ t < to [s]. */
   struct Push {
     double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
     bool world = false;
@@ -39,18 +39,18 @@ struct Effects {
   std::optional<Slug> slug;
   std::optional<Translation> translation;
 
-  bool turns = false;   ///< false where no text names anything but a translation: the body is free
+  bool turns = false;   ///< whether any text names another effect than translation; else the body is free
   std::string problem;  ///< the first text that cannot be read, and why; empty where all can
 
-  /** Nothing but torques that are constant in the world, now and then; a slug may be inside. */
+  /** Returns whether all torques are constant in the world, piecewise in time; a slug may be inside. */
   bool momentumIsKnown() const;
-  /** What those add to L from one time to another [kg·m²/s]. */
+  /** Returns what those add to L from one time to another [kg·m²/s], world axes. */
   Eigen::Vector3d impulse(double from, double to) const;
-  /** Nothing but dampings and a slug: energy only falls. */
+  /** Returns whether there is nothing but dampings and a slug, so that energy only falls. */
   bool onlyDissipates() const { return pushes.empty() && weights.empty() && orbits.empty(); }
   bool onlyWeights() const { return !weights.empty() && keepEnergy() && orbits.empty(); }
   bool onlyOrbit() const { return orbits.size() == 1 && keepEnergy() && weights.empty(); }
-  /** Nothing but weights and orbits. */
+  /** Returns whether there is nothing but weights and orbits. */
   bool keepEnergy() const { return pushes.empty() && dampings.empty() && !slug; }
 };
 

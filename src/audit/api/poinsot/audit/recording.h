@@ -23,7 +23,7 @@
 
 #include "poinsot/audit/effects.h"
 
-/** What was received, as plain data. A quaternion `…_as_sent` comes with its normalised self. */
+/** The messages received, as plain data. Quaternions are held as sent (`…_as_sent`) and normalised. */
 namespace poinsot::audit {
 
 using Stamp = std::int64_t;  ///< ROS time [ns]
@@ -35,7 +35,7 @@ inline double seconds(Stamp stamp) {
   return 1e-9 * static_cast<double>(stamp);
 }
 
-/** Of a geometry_msgs/Point or Vector3. */
+/** Returns a geometry_msgs/Point or Vector3 as a vector. */
 template <class Xyz>
 Eigen::Vector3d vectorOf(const Xyz& v) {
   return {v.x, v.y, v.z};
@@ -44,9 +44,12 @@ inline Eigen::Quaterniond quaternionOf(const geometry_msgs::Quaternion& q) {
   return {q.w, q.x, q.y, q.z};
 }
 
+/** Returns the name of a frame without a leading slash. */
+std::string frameName(const std::string& name);
+
 bool endsWith(const std::string& text, const std::string& tail);
 
-/** The angle of the rotation that takes a to b [rad], in [0, π]; both unit, either sign. Accurate for small angles. */
+/** Returns the angle of the rotation from a to b [rad], in [0, π]; both unit. Accurate for small angles too. */
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
 /** What states, odometry and transforms have in common. */
@@ -54,11 +57,11 @@ struct Pose {
   std::string frame_id;                           ///< in which it is given
   Eigen::Quaterniond attitude_as_sent, attitude;  ///< the second normalised
   Eigen::Vector3d position;
-  std::string flaw;  ///< which field is not finite (or a zero quaternion); empty where the message can be used
+  std::string flaw;  ///< a field that is not finite, or a zero quaternion; empty where the message can be used
 };
 using Transform = Pose;
 
-/** A state, in the vocabulary of the message. */
+/** A state; the names are those of the message. */
 struct State : Pose {
   Stamp stamp = 0;
   std::uint32_t sequence = 0;  ///< as its publisher counts; 0 where it does not
@@ -66,7 +69,7 @@ struct State : Pose {
   std::uint32_t segment = 0;
   Eigen::Vector3d velocity, omega_body, omega_world, momentum_world;
   double kinetic_energy = 0, energy_drift = 0, momentum_drift = 0;
-  double attitude_error = 0;  ///< NaN: there is nothing to compare with
+  double attitude_error = 0;  ///< [rad]; NaN where there is no closed form
 };
 
 struct Odometry : Pose {
@@ -74,7 +77,7 @@ struct Odometry : Pose {
   std::string child_frame_id;
 };
 
-/** How far the nearest of some stamps lies from one [s, negative: before it]. */
+/** Returns how far the nearest of some stamps lies from one [s], negative where it is earlier. */
 template <class Keyed>
 double toNearest(const Keyed& by_stamp, Stamp stamp) {
   double best = std::numeric_limits<double>::infinity();
@@ -85,12 +88,12 @@ double toNearest(const Keyed& by_stamp, Stamp stamp) {
   return std::abs(before) < std::abs(best) ? before : best;
 }
 
-/** The messages of a topic, or of a tf frame. Where the clock jumps back, or stands still, a stamp comes again. */
+/** The messages of a topic, or of a tf frame. A stamp comes again where the clock jumps back or stands still. */
 template <class Message>
 struct Track {
   std::multimap<Stamp, Message> by_stamp;
   Stamp last = 0;
-  std::int64_t backwards = 0;  ///< how often a stamp lay before the one before
+  std::int64_t backwards = 0;  ///< how often a stamp lay before the previous one
 
   void add(Stamp stamp, Message message) {
     if (!by_stamp.empty() && stamp < last) ++backwards;
@@ -98,7 +101,7 @@ struct Track {
     by_stamp.emplace(stamp, std::move(message));
   }
 
-  /** Of those at a stamp the one whose attitude is nearest; nullptr where there is none. */
+  /** Returns, of the messages with a stamp, the one with the nearest attitude; nullptr where there is none. */
   const Message* at(Stamp stamp, const Eigen::Quaterniond& attitude) const {
     const auto [begin, end] = by_stamp.equal_range(stamp);
     const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) {
@@ -120,11 +123,11 @@ struct Description {
   Effects forces;                    ///< the same, as read
   double metres_per_radian_per_second = 0;
 
-  /** True when nothing turns the body: no effect, or none but translation. */
+  /** Returns whether nothing turns the body: it has no effect but translation. */
   bool isFree() const { return !forces.turns; }
 };
 
-/** A marker, without what no check looks at. */
+/** A marker, as far as checks need it. */
 struct Drawing {
   Stamp stamp = 0;  ///< 0: does not change
   std::string name_space, frame_id;
@@ -141,25 +144,25 @@ Transform read(const geometry_msgs::TransformStamped& message);
 Description read(const poinsot::BodyDescription& message);
 Drawing read(const visualization_msgs::Marker& message);
 
-/** What one body's topics carried. */
+/** The messages about one body. */
 struct Body {
   std::string key;            ///< its topics' namespace
   std::string name;           ///< as its messages say
   std::vector<State> states;  ///< as received, until they are put in order
-  bool repeats = false;       ///< some of them came again, which are left out: a recording was played in a loop
-  bool listed = false;        ///< in another order than that in which they were sent
-  std::int64_t jumps = 0;     ///< how often their clock jumped back, as far as it can be seen
+  bool repeats = false;       ///< whether some came again, as when a recording is played in a loop; those are left out
+  bool listed = false;        ///< whether they were received in another order than that in which they were sent
+  std::int64_t jumps = 0;     ///< how often their clock jumped back, as far as they show
   Track<Odometry> odometry;
   std::vector<Description> descriptions;
   std::vector<Drawing> drawings;  ///< the markers whose namespace begins with its name
 
   std::string frame;  ///< its tf frame, empty where unknown
 
-  /** The description in force at a stamp, or nullptr. */
+  /** Returns the description in force at a stamp, or nullptr. */
   const Description* descriptionAt(Stamp stamp) const;
-  /** All texts of all descriptions could be read. */
+  /** Returns whether all effects of all descriptions could be read. */
   bool effectsAreRead() const;
-  /** By all descriptions. */
+  /** Returns whether it is free by all descriptions. */
   bool isFree() const;
 
   /**
@@ -174,13 +177,14 @@ class Transforms {
  public:
   void add(const std::string& child, Stamp stamp, const Transform& transform, bool is_static);
 
-  /** Those of one frame that moves, or nullptr. */
+  /** Returns the transforms of one frame that moves, or nullptr. */
   const Track<Transform>* moving(const std::string& child) const;
   const std::map<std::string, Track<Transform>>& moving() const { return moving_; }
 
   /**
-   * v_to = pose * v_from at exactly that stamp; nothing where the frames are not joined by what was received.
-   * @param near of several transforms at that stamp the one nearest to this attitude counts
+   * Returns the pose with v_to = pose * v_from at exactly that stamp; nothing where no received transforms join the
+   * frames.
+   * @param near of several transforms at that stamp, the one nearest to this attitude counts.
    */
   std::optional<Eigen::Isometry3d> between(const std::string& from, const std::string& to, Stamp stamp,
                                            const Eigen::Quaterniond& near = Eigen::Quaterniond::Identity()) const;

@@ -19,11 +19,12 @@ struct Cones {
   Eigen::Vector3d body_axis;  ///< principal axes, a unit vector: the end of the axis of symmetry that is nearer to Ω
   double body_angle = 0;      ///< β, half the opening [rad], < π/2
   double space_angle = 0;     ///< σ, half the opening about L [rad]
-  bool around = false;        ///< C > A: the space cone is inside the body cone
+  bool around = false;        ///< whether C > A, so that the space cone is inside the body cone
 };
 
 /**
- * Nothing unless exactly two moments are equal and Ω is neither along the axis of symmetry nor across it.
+ * Returns the cones; nothing unless exactly two moments are equal and Ω is neither along the axis of symmetry nor
+ * perpendicular to it.
  * @param moments [kg·m²], principal, positive, in any order.
  * @param omega_principal Ω [rad/s].
  */

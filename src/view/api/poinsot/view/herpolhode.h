@@ -13,9 +13,10 @@ struct InvariablePlane {
   double distance = 0;                               ///< 2E/|L|, of the plane from the ellipsoid's centre [rad/s]
 };
 
+/** Returns the invariable plane of a free body. */
 InvariablePlane invariablePlane(const ClosedForm& motion);
 
-/** What the tip of ω draws on the invariable plane; world axes, rad/s. */
+/** The curve of the tip of ω on the invariable plane; world axes, rad/s. */
 struct Herpolhode {
   /**
    * Closed where it is a circle (two equal moments, or as thick as the tolerance) or comes back to where it began; else
@@ -23,16 +24,16 @@ struct Herpolhode {
    * single point for steady spins; nothing at rest.
    */
   Curve curve;
-  double inner = 0, outer = 0;  ///< radii of the annulus that it stays in, about the plane's centre [rad/s]
-  double start = 0;             ///< when it is at its outermost [s]; at the beginning of the curve, or in its middle
+  double inner = 0, outer = 0;  ///< radii of the annulus about the plane's centre that holds it [rad/s]
+  double start = 0;  ///< a time at which it is outermost [s]: at the beginning of the curve, or in its middle
 };
 
 /**
- * The herpolhode of a free body, by the closed form at times that are spread so that lines between them stray from it
- * by no more than `tolerance`.
+ * Returns the herpolhode of a free body, from the closed form at times that are spread so that lines between the points
+ * stray from it by no more than `tolerance`.
  *
- * A whole number of half periods of the polhode, in each of which it goes from the outer circle to the inner and back:
- * as many as it takes to come back to where it began, within `tolerance`; if there is no such number up to
+ * It covers a whole number of half periods of the polhode, in each of which it goes from the outer circle to the inner
+ * and back: as many as bring it back to its beginning, within `tolerance`; if there is no such number up to
  * `most_half_periods`, that many, or as many as fit into the points. One half period that does not fit is cut off.
  *
  * @param most_points at least 32.

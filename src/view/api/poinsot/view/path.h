@@ -8,19 +8,19 @@
 namespace poinsot::view {
 
 /**
- * All of a path that was travelled, thinned, for drawing: in pieces, of which all but the last never change again, so
- * that they need not be drawn anew. Each piece begins where the one before ends. The oldest pieces go when there are
- * too many.
+ * A path with its points thinned, for drawing. It consists of pieces, of which only the last changes, so that the
+ * others need not be drawn anew. Each piece begins where the one before ends; where there are too many, the oldest is
+ * dropped.
  *
- * The caller clears it at a jump.
+ * The caller clears it when the motion jumps.
  */
 class Path {
  public:
   /**
    * @param most_pieces kept, at least 1.
    * @param points_per_piece at least 2.
-   * @param tolerance how far points that are left out may lie off the line that is kept [the points' unit].
-   * @param longest distance between points that are kept [the points' unit]; samples further apart are all kept.
+   * @param tolerance how far points that are left out may lie off the line [the points' unit].
+   * @param longest distance at which a point is kept in any case [the points' unit].
    */
   Path(std::size_t most_pieces, std::size_t points_per_piece, double tolerance, double longest);
 
@@ -29,11 +29,11 @@ class Path {
 
   void clear();
 
-  /** Pieces are numbered from the first that there ever was since clear(); kept are firstPiece() ≤ k < endPiece(). */
+  /** Pieces are numbered from the first since clear(); those with firstPiece() ≤ k < endPiece() are kept. */
   std::size_t firstPiece() const { return first_; }
   std::size_t endPiece() const { return first_ + pieces_.size(); }
 
-  /** The points of piece k, the oldest first; of the last piece up to the newest point that was kept. */
+  /** Returns the points of piece k, the oldest first; of the last piece up to the newest point that was kept. */
   const std::vector<Eigen::Vector3d>& piece(std::size_t k) const { return pieces_[k - first_]; }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace poinsot::view {
 
-/** How the two pictures of a body stand and how large they are drawn. */
+/** Place and scale of the two pictures of a body. */
 struct PictureFrame {
   Layout layout;
   PictureScale scale;
@@ -15,7 +15,7 @@ struct PictureFrame {
   double title_depth = 0;  ///< of the titles below the centres [m]
 };
 
-/** Whether a picture that is drawn so still has a fair size when the body turns with Ω [rad/s, body axes]. */
+/** Returns whether the picture in that frame is neither too small nor too large for Ω [rad/s, body axes]. */
 bool hasFairSize(const PictureFrame& frame, const PrincipalInertia& inertia, const Eigen::Vector3d& omega_body);
 
 }  // namespace poinsot::view

@@ -7,7 +7,7 @@
 
 namespace poinsot::view {
 
-/** What kind of curve Ω runs through in the body. */
+/** The kind of curve on which Ω moves in the body. */
 enum class Regime {
   about_smallest,  ///< a loop about the axis of smallest moment
   about_largest,   ///< a loop about the axis of largest moment
@@ -18,19 +18,19 @@ enum class Regime {
   rest             ///< Ω = 0
 };
 
-/** The polhode: where the energy and the momentum ellipsoid meet. */
+/** The polhode: the intersection of the energy ellipsoid and the momentum ellipsoid. */
 struct Polhode {
   Regime regime = Regime::rest;
   /**
-   * The curve that Ω itself runs through first, then its mirror image −Ω (point by point), then, on the separatrix, the
-   * two arcs of the other plane. Closed loops and circles; open arcs, ends included, on the separatrix; single points
-   * for an axis spin; nothing for sphere and rest.
+   * First the curve of Ω itself, then its mirror image −Ω (point by point), then, on the separatrix, the two arcs of
+   * the other plane. Loops and circles are closed; arcs of the separatrix are open and include their ends; an axis spin
+   * has single points; sphere and rest have none.
    */
   std::vector<Curve> branches;
 };
 
 /**
- * The polhode through Ω, from the ellipsoids' equations (no integration).
+ * Returns the polhode through Ω, from the ellipsoids' equations (no integration).
  *
  * Sizes come from sums of positive terms, never from 2EI − F by subtraction, so that every point lies on both
  * ellipsoids to roundoff also near the separatrix. Points are spread nearly evenly in arc length, denser where the
@@ -38,7 +38,7 @@ struct Polhode {
  *
  * Equal moments and zero components are tested exactly. Otherwise the sign of
  *   F − 2E μ₂ = μ₃(μ₃−μ₂)Ω₃² − μ₁(μ₂−μ₁)Ω₁²,   μ₁ < μ₂ < μ₃,
- * decides; where roundoff makes it wrong the picture is the same.
+ * decides; where roundoff makes that wrong, the picture is the same.
  *
  * @param moments [kg·m²], principal, positive, in any order; the triangle inequality is not needed.
  * @param omega_principal Ω [rad/s], principal axes in the same order, finite, of any size.

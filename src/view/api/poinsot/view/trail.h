@@ -7,16 +7,16 @@
 namespace poinsot::view {
 
 /**
- * The last stretch of a path, for drawing behind a moving point. Its last point is always the newest one added.
+ * The last stretch of a path, to be drawn behind a moving point. Its last point is always the newest one added.
  *
- * Allocates on construction only. The caller clears it at a jump.
+ * Only the constructor allocates. The caller clears it when the motion jumps.
  */
 class Trail {
  public:
   /**
-   * @param capacity most points kept, at least 2; beyond it the oldest goes.
-   * @param length of the path behind the newest point beyond which points are dropped [the points' unit].
-   * @param spacing closest distance between kept points [the points' unit]; the newest is exempt.
+   * @param capacity most points kept, at least 2.
+   * @param length of the path behind the newest point [the points' unit]; points further back are dropped.
+   * @param spacing least distance between kept points [the points' unit], but for the newest.
    */
   Trail(std::size_t capacity, double length, double spacing);
 
@@ -28,7 +28,7 @@ class Trail {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  /** Point i, the oldest first, i < size(). */
+  /** Returns point i, the oldest first, i < size(). */
   const Eigen::Vector3d& operator[](std::size_t i) const { return entry(i).point; }
 
  private:
