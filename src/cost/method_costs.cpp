@@ -1,8 +1,17 @@
 #include "poinsot/cost/method_costs.h"
 
+#include <stdexcept>
+
 #include "poinsot/core/closed_form.h"
 
 namespace poinsot::cost {
+
+const MethodCost& MethodCosts::of(const std::string& method) const {
+  const auto found = costs_.find(method);
+  if (found != costs_.end()) return found->second;
+  throw std::out_of_range("expected a method whose cost is known, got " + method +
+                          ": a new method needs a row in the table of nominal costs");
+}
 
 double MethodCosts::perSimulatedSecond(const std::string& method, double step, double rate) const {
   const MethodCost& cost = of(method);

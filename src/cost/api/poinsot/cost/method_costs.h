@@ -23,7 +23,7 @@ class MethodCosts {
   explicit MethodCosts(std::map<std::string, MethodCost> costs) : costs_(std::move(costs)) {}
 
   /** Throws std::out_of_range for a method that is not in the table. */
-  const MethodCost& of(const std::string& method) const { return costs_.at(method); }
+  const MethodCost& of(const std::string& method) const;
 
   /**
    * Returns CPU seconds per simulated second of a motion that is asked for its state at `rate` [Hz].
