@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,18 @@ std::string methodNames(const std::vector<Method>& list) {
   return names;
 }
 
+std::unique_ptr<Stepper> Method::make(const Eigen::Vector3d& moments) const {
+  if (make_free) return make_free(moments);
+  throw std::invalid_argument(std::string("expected a method that moves free bodies, got ") + name);
+}
+
+std::unique_ptr<Stepper> Method::make(const Torques& torques) const {
+  if (make_torqued) return make_torqued(torques);
+  throw std::invalid_argument(std::string("expected a method that takes torques, got ") + name);
+}
+
 std::string objectionTo(const Method& method, const Torques& torques) {
+  if (!method.make_torqued) return std::string(method.name) + " takes no torques";
   if (method.takes_damping || torques.dependsOnAttitudeOnly()) return "";
   return std::string(method.name) + " takes torques that depend on time and attitude alone, not damping or dissipation";
 }

@@ -16,11 +16,14 @@ constexpr int kMostWithoutProgress = 4;  // of them
 constexpr int kMostCorrections = 6;      // after a verification that failed
 constexpr double kMostStepsAtAll = 1e9;  // of a motion that is not verified
 
+/** What kept a method from a smaller error, as far as that was found. */
+enum class Limit { none, steps, rounding };
+
 /** The method with the smallest error, among those that miss the accuracy. */
 struct Nearest {
   std::string method;
   double error = kInfinite;
-  bool steps_ran_out = false;  ///< it was limited by the number of steps, not by rounding
+  Limit limit = Limit::none;
 };
 
 /** The search for the cheapest method and step. */
@@ -33,7 +36,7 @@ class Search {
     const std::string objection = truth_.objection();
     std::vector<const Method*> steppers;
     for (const std::string& name : request_.candidates) {
-      if (name == kClosedForm) tryClosedForm();
+      if (name == kClosedForm && !torqued_) tryClosedForm();
       if (const Method* method = findMethod(name, torqued_ ? torquedMethods() : freeMethods()))
         steppers.push_back(method);
     }
@@ -45,7 +48,7 @@ class Search {
       });
       for (const Method* method : steppers) tryStepper(*method);
     }
-    if (best_.method.empty()) throw Unreachable(objection.empty() ? nobodyKeepsTo() : onlyOne() + objection);
+    if (best_.method.empty()) throw Unreachable(objection.empty() ? nobodyKeepsTo() : cannotBeVerified() + objection);
     return best_;
   }
 
@@ -62,8 +65,8 @@ class Search {
              costs_.perSimulatedSecond(kClosedForm, 0, request_.rate)};
   }
 
-  void note(const Method& method, double error, bool steps_ran_out) {
-    if (error <= nearest_.error) nearest_ = {method.name, error, steps_ran_out};
+  void note(const Method& method, double error, Limit limit = Limit::none) {
+    if (error <= nearest_.error) nearest_ = {method.name, error, limit};
   }
 
   /** Returns a lower bound of the error that the trial would have had at the horizon. */
@@ -88,11 +91,12 @@ class Search {
     int without_progress = 0;
     for (int i = 0; i < kMostTrials && improves(costOf(method, step)); ++i) {
       if (request_.horizon / step > limits_.most_steps) {
-        if (good.step == 0 && last_error < kInfinite) note(method, last_error, true);
+        if (good.step == 0 && last_error < kInfinite) note(method, last_error, Limit::steps);
         break;
       }
       const Trial trial = truth_.run(method, step);
-      if (trial.error <= limits_.kept * request_.accuracy && !trial.cut) {
+      const bool keeps = trial.error <= limits_.kept * request_.accuracy;
+      if (keeps && !trial.cut) {
         good = {step, trial};
         if (step >= limits_.longest) break;
         step *= std::min(4.0, correction(method, std::max(trial.error, 1e-3 * request_.accuracy)));
@@ -105,7 +109,7 @@ class Search {
       if (good.step > 0) {
         if (bad < kNearEnough * good.step) break;
         step = std::sqrt(good.step * bad);
-      } else if (!(trial.error < 0.3)) {
+      } else if (!(trial.error < 0.3) || keeps) {
         step *= 0.5;
       } else {
         const double error = extrapolated(trial);
@@ -113,7 +117,7 @@ class Search {
         const bool better =
             error < 0.9 * last_error && (trial.reached >= request_.horizon || trial.reached > 1.02 * last_reached);
         without_progress = better ? 0 : without_progress + 1;
-        note(method, error, false);
+        note(method, error, without_progress == kMostWithoutProgress ? Limit::rounding : Limit::none);
         if (without_progress == kMostWithoutProgress) break;
         last_error = error;
         last_reached = trial.reached;
@@ -134,13 +138,13 @@ class Search {
         best_ = {method.name, found.step, found.trial.error, error, cost};
         return;
       }
-      note(method, error, false);
+      note(method, error);
       found.step *= std::clamp(correction(method, error), 0.3, 0.95);
     }
   }
 
-  std::string onlyOne() const {
-    return request_.candidates.size() == 1 ? request_.candidates.front() + ": " : std::string();
+  std::string cannotBeVerified() const {
+    return request_.candidates.size() == 1 ? request_.candidates.front() + " cannot be verified: " : std::string();
   }
 
   std::string nobodyKeepsTo() const {
@@ -149,10 +153,14 @@ class Search {
     std::string out = count == 1 ? request_.candidates.front() + " does not keep to "
                                  : "none of the " + std::to_string(count) + " candidates keeps to ";
     out += numberText(request_.accuracy, 3) + " rad for " + numberText(request_.horizon, 3) + " s on this body";
-    if (!(nearest_.error < 0.1)) return out + ", or comes near" + (nearest_.steps_ran_out ? " within " + steps : "");
-    return out + ": " + nearest_.method + " comes nearest with about " + numberText(nearest_.error, 3) + " rad; " +
-           (nearest_.steps_ran_out ? "with shorter steps it would take more than " + steps
-                                   : "rounding prevents a smaller error");
+    if (!(nearest_.error < 0.1)) {
+      return out + (count == 1 ? ", nor does it come near" : ", and none comes near") +
+             (nearest_.limit == Limit::steps ? " within " + steps : "");
+    }
+    out += ": " + nearest_.method + " comes nearest with about " + numberText(nearest_.error, 3) + " rad";
+    if (nearest_.limit == Limit::steps) out += "; with shorter steps it would take more than " + steps;
+    if (nearest_.limit == Limit::rounding) out += "; rounding prevents a smaller error";
+    return out;
   }
 
   const AccuracyRequest& request_;

@@ -323,7 +323,7 @@ double CostBreakdown::perState() const {
   return sum;
 }
 
-CostBreakdown measureLedger(const MotionSetup& setup, double duration, double rate) {
+CostBreakdown measureCosts(const MotionSetup& setup, double duration, double rate) {
   CostBreakdown out;
   out.states = rate;
   out.parts.push_back({"free_motion", true});

@@ -9,8 +9,7 @@ namespace poinsot::cost {
 const MethodCost& MethodCosts::of(const std::string& method) const {
   const auto found = costs_.find(method);
   if (found != costs_.end()) return found->second;
-  throw std::out_of_range("expected a method whose cost is known, got " + method +
-                          ": a new method needs a row in the table of nominal costs");
+  throw std::out_of_range("expected a method with a row in this table of costs, got " + method);
 }
 
 double MethodCosts::perSimulatedSecond(const std::string& method, double step, double rate) const {

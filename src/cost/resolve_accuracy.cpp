@@ -63,10 +63,12 @@ std::vector<std::string> resolveAccuracies(scene::Scene& scene, double rate, con
       const std::string closed_form =
           body.effects.empty() ? ", or no method (closed_form reaches " + numberText(kClosedFormError, 3) + " rad)"
                                : "";
-      throw scene::Error(accuracy.place + scene::expectedGot("a larger accuracy, a shorter horizon" + closed_form,
-                                                             numberText(accuracy.error, 3) + " rad for " +
-                                                                 numberText(accuracy.horizon, 3) + " s",
-                                                             error.what()));
+      throw scene::Error(
+          accuracy.place +
+          scene::expectedGot("a larger accuracy" + std::string(closed_form.empty() ? " or " : ", ") +
+                                 "a shorter horizon" + closed_form,
+                             numberText(accuracy.error, 3) + " rad for " + numberText(accuracy.horizon, 3) + " s",
+                             error.what()));
     }
   }
   return out;

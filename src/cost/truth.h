@@ -42,7 +42,10 @@ class Truth {
   /** Runs the method to the horizon, or until the error is far above the accuracy. */
   virtual Trial run(const Method& method, double step) const = 0;
 
-  /** Returns the greatest error [rad] at the times at which states will be asked for; includes that of the truth. */
+  /**
+   * Returns the greatest error [rad], that of the truth included: of a free body at the times at which states will be
+   * asked for; under torques the error of the trial, whose looks are as dense as is worthwhile.
+   */
   virtual double verified(const Method& method, double step, const Trial& trial) const = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "poinsot/ros/body_topics.h"
 
+#include <optional>
 #include <utility>
 
 #include "poinsot/ros/body_messages.h"
@@ -30,14 +31,14 @@ std::shared_ptr<const BodyPublishers> PublisherStore::of(const std::string& body
 }
 
 void PublisherStore::withdrawUnused() {
-  std::vector<Kept> withdrawn;  // destroyed last, when the mutex is free: that takes a call to the master
+  std::optional<Kept> withdrawn;  // destroyed last, when the mutex is free: that takes calls to the master
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::SteadyTime now = ros::SteadyTime::now();
   for (auto it = kept_.begin(); it != kept_.end();) {
     Kept& kept = it->second;
     if (kept.publishers.use_count() > 1) kept.used = now;
-    if (now - kept.used > kKeptUnused) {
-      withdrawn.push_back(std::move(kept));
+    if (!withdrawn && now - kept.used > kKeptUnused) {
+      withdrawn = std::move(kept);
       it = kept_.erase(it);
     } else {
       ++it;

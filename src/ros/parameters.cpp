@@ -45,7 +45,7 @@ std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::st
 }
 
 std::string readPrefix(XmlRpc::XmlRpcValue& value) {
-  const std::string expected = "a text of letters, digits, _ and / that begins with a letter";
+  const std::string expected = "an empty text, or one of letters, digits, _ and / that begins with a letter";
   const std::string prefix = readText(names::kFramePrefix, value, expected);
   const bool good = std::all_of(prefix.begin(), prefix.end(),
                                 [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '/'; });
@@ -83,8 +83,10 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   if (out.scene.rate) out.rate = *out.scene.rate;
   ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
   if (out.rate < kSlowestRate || out.rate > kFastestRate) {
-    throw ParameterError(here + ": expected a rate from " + numberText(kSlowestRate) + " to " +
-                         numberText(kFastestRate) + " Hz, got " + numberText(out.rate));
+    const std::string place =
+        handle.hasParam(names::kRate) ? std::string("parameter ~") + names::kRate : "rate of the scene";
+    throw ParameterError(place + ": expected a number from " + numberText(kSlowestRate) + " to " +
+                         numberText(kFastestRate) + " (Hz), got " + numberText(out.rate));
   }
   ifSet(handle, names::kPublishClock, [&](XmlRpc::XmlRpcValue& value) {
     if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(names::kPublishClock, value, "true or false");

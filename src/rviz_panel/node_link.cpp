@@ -174,11 +174,11 @@ void NodeLink::connectAnew() {
       fresh = std::make_shared<Connection>(this, node);
       fresh->watch(body);
     }
-    return [this, fresh, body] {
+    return [this, fresh, body]() mutable {
       connecting_ = false;
       since_attempt_.start();
-      connection_ = fresh;
-      if (fresh && fresh->node != node_) {
+      connection_ = std::move(fresh);  // moved, so that the worker may destroy it
+      if (connection_ && connection_->node != node_) {
         connectAnew();
       } else if (body != body_) {
         follow();
@@ -242,6 +242,7 @@ void NodeLink::reset() {
 void NodeLink::loadScene(const QString& scene) {
   LoadScene::Request request;
   request.scene = scene.toStdString();
+  seek_.reset();  // asked for before
   call<LoadScene>(names::kLoadScene, request);
 }
 

@@ -164,7 +164,7 @@ void readEffects(const Place& place, Body& body) {
     try {
       sumOf(body.inertia, body.effects);
     } catch (const std::invalid_argument& objection) {
-      place.item(i).refuse("effects that go together and whose sum doubles hold", "another effect", objection.what());
+      place.item(i).refuse("an effect that can act beside those before it", "one that cannot", objection.what());
     }
     if (body.translation && has<GravityTorque>(body)) {
       place.item(i).refuse("one of gravity_torque, translation", "both",

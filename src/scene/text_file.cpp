@@ -19,7 +19,7 @@ namespace {
 }
 
 [[noreturn]] void refuseUnreadable(const std::string& path, int error) {
-  refuse(path, std::string("one that cannot be read: ") + std::strerror(error));
+  refuse(path, std::string("none that can be read: ") + std::strerror(error));
 }
 
 std::string kindOf(mode_t mode) {
@@ -67,7 +67,7 @@ std::string readTextFile(const std::string& path) {
     if (count < 0) refuseUnreadable(path, errno);
     text.append(buffer, static_cast<std::size_t>(count));
     // It has grown since fstat, or is a file of /proc, which all claim to have 0 bytes.
-    if (text.size() > kLargestTextFile) refuse(path, "more bytes");
+    if (text.size() > kLargestTextFile) refuse(path, "a larger one");
   }
 }
 

@@ -131,8 +131,8 @@ void Session::choose(const HandleEvent& event) {
     try {
       chosen = view::onSeparatrix(inertia.moments(), omega, keep_);
     } catch (const std::invalid_argument& error) {
-      throw scene::Error("spin of " + event.body + ": " +
-                         "expected a spin about or near an axis, got one on the separatrix: " + error.what());
+      throw scene::Error("spin of " + event.body +
+                         ": expected a spin about or near an axis, got the separatrix: " + error.what());
     }
   }
   ask(SetSpin{event.body, inertia.toBody(chosen)});

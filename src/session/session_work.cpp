@@ -61,7 +61,7 @@ void Session::enqueue(const Request& request, const Reply& reply) {
         throw scene::Error("scene: expected a name or a path, got none: the present scene has no file");
       load->scene = options_.find(load->scene);
     } else if (loading()) {
-      throw scene::Error("expected no such request while another scene is being made ready; ask again when it plays");
+      throw scene::Error("a change of a body refused: another scene is being made ready; ask again when it plays");
     } else if (const auto* method = std::get_if<SetMethod>(&request)) {
       requireMethod(playing_.scene, *method);
     } else if (const auto* spin = std::get_if<SetSpin>(&request)) {

@@ -52,8 +52,10 @@ std::size_t indexOf(const scene::Scene& scene, const std::string& name) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/** Returns the cheapest stepper for a good accuracy. */
-cost::Choice goodStepper(const MotionSetup& setup, double rate, const cost::MethodCosts& costs) {
+/** Returns the cheapest stepper for a good accuracy of the free body, which is what is compared: without its effects.
+ */
+cost::Choice goodStepper(MotionSetup setup, double rate, const cost::MethodCosts& costs) {
+  setup.effects.clear();
   std::vector<std::string> candidates;
   for (const Method& method : freeMethods()) {
     const std::string name = method.name;

@@ -69,7 +69,7 @@ std::string costBreakdownText(const scene::Body& body, const std::string& why, c
   return out;
 }
 
-std::string ledgerHeader() {
+std::string costBreakdownHeader() {
   return "body,method,step,part,in_force,ns_per_step,ns_per_state,ns_per_simulated_s,share,torque_evaluations_per_s,"
          "ns_of_a_run_per_simulated_s\n";
 }

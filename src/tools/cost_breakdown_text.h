@@ -11,7 +11,7 @@ namespace poinsot::tools {
 std::string costBreakdownText(const scene::Body& body, const std::string& why, const cost::CostBreakdown& breakdown);
 
 /** Returns the header of costBreakdownRows(), with its line end. */
-std::string ledgerHeader();
+std::string costBreakdownHeader();
 
 /** Returns the breakdown as CSV: a row for each part and one, `total`, for their sum; 9 significant digits. */
 std::string costBreakdownRows(const scene::Body& body, const cost::CostBreakdown& breakdown);

@@ -77,7 +77,7 @@ std::vector<std::string> reasons(scene::Scene& scene, double rate) {
 
 cost::CostBreakdown measure(const scene::Body& body, double duration, double rate) {
   try {
-    return cost::measureLedger(scene::motionSetup(body), duration, rate);
+    return cost::measureCosts(scene::motionSetup(body), duration, rate);
   } catch (const std::runtime_error& error) {  // range_error, NoConvergence
     throw std::runtime_error("body " + body.name + " under " + body.method + ": " + error.what());
   }
@@ -96,7 +96,7 @@ void run(const Options& options) {
   const bool csv_alone = options.csv == kStandardOutput;
   std::string text = options.scene + ": " + numberText(rate) + " states in a simulated second, measured over " +
                      numberText(duration) + " simulated s\n",
-              csv = tools::ledgerHeader();
+              csv = tools::costBreakdownHeader();
   std::optional<OutputFile> file;  // opened before the measurements, which are in vain where it cannot be written
   if (!options.csv.empty() && !csv_alone) file.emplace(options.csv, OutputFile::Kind::any);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

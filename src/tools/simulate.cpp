@@ -92,7 +92,8 @@ void checkSize(const Options& options, const scene::Scene& scene, double duratio
     if (!body.step || duration / *body.step <= kMostSteps) continue;
     throw BadUse("--duration",
                  "at most " + numberText(kMostSteps, 9) + " steps of body " + body.name + " under " + body.method,
-                 numberText(duration, 9) + " s in steps of " + numberText(*body.step, 9) + " s");
+                 numberText(duration / *body.step, 9) + " (" + numberText(duration, 9) + " s in steps of " +
+                     numberText(*body.step, 9) + " s)");
   }
 }
 

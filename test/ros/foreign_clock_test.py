@@ -172,14 +172,14 @@ class ForeignClockTest(unittest.TestCase):
         here = self.states.last().header.stamp
         stamps = {"secs": here.secs, "nsecs": here.nsecs}
 
-        def newcomer(topic):
+        def late_subscriber(topic):
             """What another process is given; this one is connected already."""
             code, out, err = processes.run(["rostopic", "echo", "-n1", topic])
             self.assertEqual(code, 0, err)
             return next(yaml.safe_load_all(out))
-        transforms = newcomer("/tf")["transforms"]
+        transforms = late_subscriber("/tf")["transforms"]
         self.assertEqual({t["child_frame_id"] for t in transforms}, {"wingnut", "wingnut_space_body"})
-        markers = [m for m in newcomer("/markers")["markers"] if m["ns"] == "wingnut/model/omega"]
+        markers = [m for m in late_subscriber("/markers")["markers"] if m["ns"] == "wingnut/model/omega"]
         self.assertTrue(markers, "Omega in the picture")
         for it in transforms + markers:
             self.assertEqual(it["header"]["stamp"], stamps)

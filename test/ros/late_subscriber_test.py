@@ -120,7 +120,7 @@ class LateSubscriberTest(unittest.TestCase):
         again = self.latched("/markers_static", MarkerArray)
         self.assertEqual(graph.drawn([again]), graph.drawn([array]), "everybody is given the same")
 
-    def test_a_newcomer_is_sent_the_static_markers_once_more(self):
+    def test_a_late_subscriber_is_sent_the_static_markers_once_more(self):
         # RViz loses latched markers that reach it before their frames do; a second copy mends that.
         listener = graph.Listener("/markers_static", MarkerArray)
         graph.wait_for(lambda: len(listener.all()) >= 2, what="the second copy")

@@ -111,7 +111,7 @@ class ParametersTest(unittest.TestCase):
         os.mkfifo(pipe)
         self.refused("a FIFO", {"scene_file": pipe}, [pipe, "got a FIFO"])
         self.refused("a number", {"scene_file": 7}, ["~scene_file", "7", "path"])
-        self.refused("an empty path", {"scene_file": ""}, ["cannot be read"])
+        self.refused("an empty path", {"scene_file": ""}, ["none that can be read"])
 
     def test_bad_scenes_in_a_file(self):
         for what, text, words in BAD_SCENES:

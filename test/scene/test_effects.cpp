@@ -226,7 +226,7 @@ TEST(Effects, WhatIsOutOfItsRangeIsRefused) {
 // Each is finite, and what they make is not: doubles do not hold it.
 TEST(Effects, SumsBeyondDoublesAreRefused) {
   expectKeyRefused("effects: [{type: gravity_torque, mass: 1e200, gravity: [0, 0, -1e200], centre_of_mass: [0, 0, 1]}]",
-                   ".effects[0]", {"finite", "expected effects that go together"});
+                   ".effects[0]", {"finite", "expected an effect that can act beside those before it"});
 }
 
 TEST(Effects, BadSchedulesAreRefused) {

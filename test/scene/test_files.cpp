@@ -33,7 +33,7 @@ std::string messageOf(const std::string& path) {
 
 TEST(File, ThatCannotBeRead) {
   EXPECT_EQ(messageOf("/nowhere/spin.yaml")
-                .rfind("/nowhere/spin.yaml: expected a regular file of at most 4194304 bytes, got one that cannot be "
+                .rfind("/nowhere/spin.yaml: expected a regular file of at most 4194304 bytes, got none that can be "
                        "read: No such file",
                        0),
             0u)

@@ -72,7 +72,7 @@ std::vector<Row> rowsOfScene(const std::string& scene, const std::string& option
 }
 
 /** That a body's rows are all there and add up. @return the last, `total`. */
-Row expectLedger(const std::vector<Row>& rows, double steps, double states) {
+Row expectCostBreakdown(const std::vector<Row>& rows, double steps, double states) {
   Row total;
   if (rows.size() != kParts.size()) {
     ADD_FAILURE() << rows.size() << " rows";
@@ -112,7 +112,7 @@ std::string inForce(const std::vector<Row>& rows) {
 TEST(SceneCost, aFreeBodyPaysForNoEffect) {
   const std::vector<Row> closed = rowsOfScene(oneBody(""));
   EXPECT_EQ(inForce(closed), "free_motion total");
-  const Row total = expectLedger(closed, 0, 60);
+  const Row total = expectCostBreakdown(closed, 0, 60);
   EXPECT_EQ(total.at("method"), "closed_form");
   EXPECT_EQ(total.at("step"), "");
   EXPECT_EQ(total.at("ns_per_step"), "0");
@@ -120,7 +120,7 @@ TEST(SceneCost, aFreeBodyPaysForNoEffect) {
 
   const std::vector<Row> stepped = rowsOfScene(oneBody("method: dmv8, step: 0.01"), "--rate 10");
   EXPECT_EQ(inForce(stepped), "free_motion total");
-  const Row stepped_total = expectLedger(stepped, 100, 10);
+  const Row stepped_total = expectCostBreakdown(stepped, 100, 10);
   EXPECT_GT(number(stepped_total, "ns_per_step"), 0);
   EXPECT_EQ(stepped_total.at("torque_evaluations_per_s"), "0");
 }
@@ -148,7 +148,7 @@ TEST(SceneCost, translationIsPaidByTheStateAndNotByTheStep) {
   const std::vector<Row> rows =
       rowsOfScene(oneBody("method: rk4, step: 0.01, effects: [{type: translation, velocity: [0, 0, 1]}]"));
   EXPECT_EQ(inForce(rows), "free_motion translation total");
-  expectLedger(rows, 100, 60);
+  expectCostBreakdown(rows, 100, 60);
   EXPECT_EQ(rows[1].at("ns_per_step"), "0");
 }
 
@@ -166,7 +166,7 @@ TEST(SceneCost, severalEffectsAddUp) {
   EXPECT_EQ(inForce(rows),
             "free_motion translation constant_torque gravity_gradient viscous_damping internal_dissipation "
             "torque_schedule total");
-  expectLedger(rows, 16, 64);
+  expectCostBreakdown(rows, 16, 64);
 }
 
 TEST(SceneCost, torqueEvaluationsAreThoseOfTheMethod) {
@@ -178,7 +178,7 @@ TEST(SceneCost, torqueEvaluationsAreThoseOfTheMethod) {
         oneBody(std::string("method: ") + method +
                 ", step: 0.0078125, effects: [{type: gravity_torque, mass: 1, centre_of_mass: [0, 0, 0.1]}]"),
         "--rate 64 --duration 2");
-    const Row total = expectLedger(rows, 128, 64);
+    const Row total = expectCostBreakdown(rows, 128, 64);
     EXPECT_EQ(number(total, "torque_evaluations_per_s"), 128 * evaluations + 64);
   }
 }

@@ -25,10 +25,14 @@ struct Method {
   /** Binds it to a body under torques; nullptr where it takes no torques. */
   std::unique_ptr<Stepper> (*make_torqued)(const Torques& torques);
 
-  /** Binds a method that moves free bodies to a free body. @param moments principal moments [kg·m²], valid. */
-  std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) const { return make_free(moments); }
-  /** Binds a method to a body under torques to which it has no objection. */
-  std::unique_ptr<Stepper> make(const Torques& torques) const { return make_torqued(torques); }
+  /**
+   * Binds it to a free body. Throws std::invalid_argument where it moves no free bodies.
+   * @param moments principal moments [kg·m²], valid.
+   */
+  std::unique_ptr<Stepper> make(const Eigen::Vector3d& moments) const;
+  /** Binds it to a body under torques to which it has no objection. Throws std::invalid_argument where it takes none.
+   */
+  std::unique_ptr<Stepper> make(const Torques& torques) const;
 };
 
 /** Returns all methods that this version has. */

@@ -24,7 +24,8 @@ struct Choice {
   std::string method;
   std::optional<double> step;  ///< [s]; none for the closed form
   double estimated_error = 0;  ///< at the ends of steps, during the search [rad]
-  double verified_error = 0;   ///< the greatest at the ticks, up to a million of them, and at the horizon [rad]
+  double verified_error = 0;   ///< of a free body the greatest at the ticks, up to a million of them, and at the
+                               ///< horizon [rad]; under torques the estimated one, which is that at up to 512 times
   double cost = 0;             ///< CPU seconds per simulated second, by the given costs
 };
 

@@ -47,6 +47,6 @@ const std::vector<std::string>& effectTypes();
  * Motion throws.
  * @param duration how long to simulate [s], and @param rate states in a simulated second [Hz], positive and finite.
  */
-CostBreakdown measureLedger(const MotionSetup& setup, double duration, double rate);
+CostBreakdown measureCosts(const MotionSetup& setup, double duration, double rate);
 
 }  // namespace poinsot::cost

@@ -35,7 +35,7 @@ class PublisherStore {
   /** Those of a body of that name. Where there are none yet, it waits for the master to register them. */
   std::shared_ptr<const BodyPublishers> of(const std::string& body);
 
-  /** Withdraws the topics of bodies that went some seconds ago. */
+  /** Withdraws the topics of a body that went some seconds ago; of one only, since each takes calls to the master. */
   void withdrawUnused();
 
  private:

@@ -17,7 +17,8 @@ class Companion {
   virtual const view::PictureFrame& frame() const = 0;
 };
 
-/** Makes the companion of a body. Called on the thread of the background job, so it must own all that it uses. */
+/** Makes the companion of a body. Called on the thread of the background job, so it must own what it uses, or share
+ * only what is safe for threads. */
 using MakeCompanion = std::function<std::unique_ptr<Companion>(const scene::Body&, const Motion&)>;
 
 /** How a body that takes another's place is drawn. */
