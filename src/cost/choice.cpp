@@ -117,8 +117,11 @@ class Search {
         const bool better =
             error < 0.9 * last_error && (trial.reached >= request_.horizon || trial.reached > 1.02 * last_reached);
         without_progress = better ? 0 : without_progress + 1;
-        note(method, error, without_progress == kMostWithoutProgress ? Limit::rounding : Limit::none);
-        if (without_progress == kMostWithoutProgress) break;
+        note(method, error);
+        if (without_progress == kMostWithoutProgress) {
+          if (nearest_.method == method.name) nearest_.limit = Limit::rounding;
+          break;
+        }
         last_error = error;
         last_reached = trial.reached;
         step *= std::clamp(correction(method, error), 1e-3, 0.7);
