@@ -59,7 +59,7 @@ struct NumTraits<poinsot::audit::Series> : GenericNumTraits<double> {
   using Real = poinsot::audit::Series;
   using NonInteger = poinsot::audit::Series;
   using Nested = poinsot::audit::Series;
-  enum { RequireInitialization = 1 };
+  enum { RequireInitialization = 1 };  // NOLINT(readability-identifier-naming): Eigen looks for this name
 };
 template <class Operation>
 struct ScalarBinaryOpTraits<double, poinsot::audit::Series, Operation> {

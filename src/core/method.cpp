@@ -28,7 +28,7 @@ using batch::makeKeeping;
 using batch::makeKeepingEnergy;
 
 template <class Scheme>
-constexpr auto underTorques = torque_steppers::make<Scheme>;
+constexpr auto kUnderTorques = torque_steppers::make<Scheme>;
 
 std::vector<Method> those(bool (*wanted)(const Method&)) {
   std::vector<Method> out;
@@ -42,17 +42,17 @@ const std::vector<Method>& methods() {
   using namespace steppers;
   static const std::vector<Method> table = {
       // name, order, conserves L, conserves E, takes torques that depend on Omega, cuts steps; free, under torques
-      {"taylor8", 8, false, false, true, true, nullptr, underTorques<torque_steppers::Taylor<8>>},
-      {"taylor12", 12, false, false, true, true, nullptr, underTorques<torque_steppers::Taylor<12>>},
-      {"taylor16", 16, false, false, true, true, nullptr, underTorques<torque_steppers::Taylor<16>>},
-      {"taylor20", 20, false, false, true, true, nullptr, underTorques<torque_steppers::Taylor<20>>},
-      {"taylor24", 24, false, false, true, true, nullptr, underTorques<torque_steppers::Taylor<24>>},
-      {"aba84", 4, false, false, false, false, nullptr, underTorques<torque_steppers::Aba84>},
+      {"taylor8", 8, false, false, true, true, nullptr, kUnderTorques<torque_steppers::Taylor<8>>},
+      {"taylor12", 12, false, false, true, true, nullptr, kUnderTorques<torque_steppers::Taylor<12>>},
+      {"taylor16", 16, false, false, true, true, nullptr, kUnderTorques<torque_steppers::Taylor<16>>},
+      {"taylor20", 20, false, false, true, true, nullptr, kUnderTorques<torque_steppers::Taylor<20>>},
+      {"taylor24", 24, false, false, true, true, nullptr, kUnderTorques<torque_steppers::Taylor<24>>},
+      {"aba84", 4, false, false, false, false, nullptr, kUnderTorques<torque_steppers::Aba84>},
       {"lie_euler", 1, true, false, false, false, makeKeeping<LieEuler>, nullptr},
-      {"buss2", 2, true, false, true, false, makeKeeping<Buss2>, underTorques<torque_steppers::Buss2>},
+      {"buss2", 2, true, false, true, false, makeKeeping<Buss2>, kUnderTorques<torque_steppers::Buss2>},
       {"buss3", 3, true, false, false, false, makeKeeping<Buss3>, nullptr},
       {"buss4", 4, true, false, false, false, makeKeeping<Buss4>, nullptr},
-      {"rk4", 4, false, false, true, false, make<Rk4>, underTorques<torque_steppers::Rk4>},
+      {"rk4", 4, false, false, true, false, make<Rk4>, kUnderTorques<torque_steppers::Rk4>},
       {"rkmk4", 4, true, false, false, false, makeKeeping<Rkmk4>, nullptr},
       {"cf4", 4, true, false, false, false, makeKeeping<Cf4, 4>, nullptr},
       {"midpoint", 2, true, false, false, false, makeKeeping<Midpoint>, nullptr},

@@ -225,7 +225,7 @@ void printClosedForms() {
     for (const double t : {-3.5, 0.0, 50.0, 1e9}) {
       const ClosedForm::State state = body.at(t);
       print("attitude", state.attitude);
-      print("omega", state.omega_body);
+      print("omega", state.omega_principal);
     }
     // A table of its own, released here; a part of another; plain memory.
     ClosedForm::Samples table = body.sample(1, 0.37, 100);
