@@ -123,9 +123,8 @@ Answer apply(const Asked& asked, Draft& draft, const ReadScene& read) {
 }
 
 std::string tooManySteps(const std::string& body, double time, double steps, double step) {
-  return "body \"" + body + "\": expected at most " + numberText(kMostSteps) +
-         " steps to the present t = " + numberText(time) + " s, got " + numberText(steps) + " steps of " +
-         numberText(step) + " s; seek nearer to t = 0 first";
+  return "body \"" + body + "\": expected at most " + numberText(kMostSteps) + " steps, got " + numberText(steps) +
+         " steps of " + numberText(step) + " s to t = " + numberText(time) + " s; seek nearer to t = 0 first";
 }
 
 }  // namespace poinsot::session
