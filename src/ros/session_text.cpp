@@ -57,8 +57,8 @@ std::string textOf(const session::Refusal& refusal) {
              " steps, got " + numberText(refusal.figure) + " of " + numberText(refusal.step) + " s for body " +
              refusal.body + " under " + refusal.method;
     case Reason::no_state:
-      return "seek refused: expected a time (s) at which every body has a state, got " + numberText(seek->time) +
-             (refusal.body.empty() ? "" : "; body " + refusal.body) + ": " + refusal.detail;
+      return "seek to " + numberText(seek->time) + " s refused: expected a time at which every body has a state; " +
+             (refusal.body.empty() ? "" : "body " + refusal.body + ": ") + refusal.detail;
     case Reason::not_paused:
       return "step refused: expected a paused node, got one that plays; call ~pause with data: true first";
     case Reason::cannot_be_made:
