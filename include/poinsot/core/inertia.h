@@ -61,7 +61,7 @@ class PrincipalInertia {
 /** Returns the axes of the smallest, the intermediate and the largest moment, each 0, 1 or 2. */
 inline std::array<int, 3> ascendingAxes(const Eigen::Vector3d& moments) {
   std::array<int, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return moments[i] < moments[j]; });
+  std::sort(axes.begin(), axes.end(), [&](int i, int j) { return moments[i] < moments[j]; });
   return axes;
 }
 
