@@ -156,7 +156,7 @@ void judgeDriftFields(const Evidence& evidence, std::vector<Check>& checks) {
 }  // namespace
 
 void judgeConservation(const Evidence& evidence, std::vector<Check>& checks) {
-  if (evidence.body.effectsAreRead()) {
+  if (evidence.body.torquesAreRead()) {
     judgeSlugsStart(evidence, checks);
     judgeConstants(evidence, checks);
   }

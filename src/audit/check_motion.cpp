@@ -60,7 +60,7 @@ class Motion {
         far_omega_("one motion: omega", evidence.body.key),
         torques_(evidence.body.key) {}
 
-  /** @param known whether all effects on the body are known; otherwise only the time is judged. */
+  /** @param known whether all torques on the body are known; otherwise only the time is judged. */
   void judge(bool known) {
     std::string unknown;
     for (const Segment& segment : evidence_.segments) {
@@ -214,10 +214,9 @@ void judgePosition(const Evidence& evidence, std::vector<Check>& checks) {
 }  // namespace
 
 void judgeMotion(const Evidence& evidence, std::vector<Check>& checks) {
-  // Where an effect cannot be read, nothing is known of the motion; judgeDescription has said so.
-  const bool known = evidence.body.effectsAreRead();
-  Motion(evidence, checks).judge(known);
-  if (known) judgePosition(evidence, checks);
+  // Where an effect cannot be read, what depends on it is not known; the check "effects" has failed for that.
+  Motion(evidence, checks).judge(evidence.body.torquesAreRead());
+  if (evidence.body.translationIsRead()) judgePosition(evidence, checks);
 }
 
 }  // namespace poinsot::audit

@@ -172,11 +172,13 @@ Vector3d Effects::impulse(double from, double to) const {
 Effects readEffects(const std::vector<std::string>& texts) {
   Effects out;
   for (const std::string& text : texts) {
-    out.turns = out.turns || text.substr(0, text.find(':')) != "translation";
+    const bool is_torque = text.substr(0, text.find(':')) != "translation";
+    out.turns = out.turns || is_torque;
     try {
       readOne(text, out);
     } catch (const std::invalid_argument& why) {
       if (out.problem.empty()) out.problem = "\"" + text + "\" cannot be read: " + why.what();
+      (is_torque ? out.torques_are_read : out.translation_is_read) = false;
     }
   }
   return out;

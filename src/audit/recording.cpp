@@ -138,9 +138,14 @@ bool Body::isFree() const {
   return std::all_of(descriptions.begin(), descriptions.end(), [](const Description& d) { return d.isFree(); });
 }
 
-bool Body::effectsAreRead() const {
+bool Body::torquesAreRead() const {
   return std::all_of(descriptions.begin(), descriptions.end(),
-                     [](const Description& d) { return d.forces.problem.empty(); });
+                     [](const Description& d) { return d.forces.torques_are_read; });
+}
+
+bool Body::translationIsRead() const {
+  return std::all_of(descriptions.begin(), descriptions.end(),
+                     [](const Description& d) { return d.forces.translation_is_read; });
 }
 
 void Body::putInOrder() {

@@ -436,6 +436,21 @@ TEST(Texts, CannotBeRead) {
   expectFailures(scene.judged(), {"effects"}, "unknown type");
 }
 
+// What an effect that cannot be read says nothing of is judged all the same.
+TEST(Texts, OneThatCannotBeReadHidesNothingElse) {
+  Scene free;
+  free.effects = {"translation: position [0, 0, 0]"};  // the other keys are missing
+  EXPECT_TRUE(free.judged().find("Euler's equations")) << "the rotation of a free body is known";
+  EXPECT_FALSE(free.judged().find("position and velocity"));
+  free.driven.torque = [](double, const Moment&) { return Vector3d(0, 0, 0.1); };
+  expectFailures(free.judged(), {"effects", "Euler's equations", "L conserved"});
+
+  Scene driven = withSlug();
+  driven.effects.push_back("magnetism: field [0, 0, 1]");
+  EXPECT_FALSE(driven.judged().find("Euler's equations with torque"));
+  EXPECT_TRUE(driven.judged().find("position and velocity")) << "a translation would be read";
+}
+
 TEST(Texts, TranslationIsThatOfTheDescription) {
   Scene scene;
   scene.effects = {"translation: position [0, 0, 1e-6], velocity [0, 0, 0], acceleration [0, 0, 0]"};

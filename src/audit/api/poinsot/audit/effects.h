@@ -39,8 +39,10 @@ struct Effects {
   std::optional<Slug> slug;
   std::optional<Translation> translation;
 
-  bool turns = false;   ///< whether any text names another effect than translation; else the body is free
-  std::string problem;  ///< the first text that cannot be read, and why; empty where all can
+  bool turns = false;               ///< whether any text names another effect than translation; else the body is free
+  std::string problem;              ///< the first text that cannot be read, and why; empty where all can
+  bool torques_are_read = true;     ///< whether the texts of all effects but translation can be read
+  bool translation_is_read = true;  ///< whether that of the translation can be read, if there is one
 
   /** Returns whether all torques are constant in the world, piecewise in time; a slug may be inside. */
   bool momentumIsKnown() const;

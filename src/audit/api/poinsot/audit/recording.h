@@ -160,8 +160,10 @@ struct Body {
 
   /** Returns the description in force at a stamp, or nullptr. */
   const Description* descriptionAt(Stamp stamp) const;
-  /** Returns whether all effects of all descriptions could be read. */
-  bool effectsAreRead() const;
+  /** Returns whether all torques of all descriptions could be read, so that the rotation is known. */
+  bool torquesAreRead() const;
+  /** Returns whether the translations of all descriptions could be read. */
+  bool translationIsRead() const;
   /** Returns whether it is free by all descriptions. */
   bool isFree() const;
 
