@@ -15,6 +15,8 @@ import sys
 import tempfile
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "test"))
+from checks import check, finish  # noqa: E402
 PROBE = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "devel", "lib", "poinsot", "instruction_probe")
 METHODS = ("lie_euler buss2 buss3 buss4 rk4 rkmk4 cf4 midpoint splitting2 splitting4 splitting6 dmv2 dmv4 dmv6 dmv8 "
            "dmv10").split()
@@ -36,15 +38,6 @@ SAME = 0.01         # relative: what "the same number" means for a free scene
 UNCHANGED = 0.0001  # and for bodies beside one that has an effect
 COMPOSED = 0.10     # a state in closed form against one composed by hand
 
-passed = failed = 0
-
-
-def check(name, complaints):
-    global passed, failed
-    passed, failed = passed + (not complaints), failed + bool(complaints)
-    print(("FAIL  " if complaints else "PASS  ") + name, flush=True)
-    for complaint in complaints[:8]:
-        print("        " + complaint)
 
 
 def counts(folder, *words):
@@ -151,8 +144,7 @@ def main():
                   [] if len(noticed) == len(METHODS) else ["only for %d of %d methods" % (len(noticed), len(METHODS))])
         more = dict(found_beside, **{"translation/stepped": int(1.001 * found_beside["translation/stepped"])})
         check("work on another body would be noticed", [] if len(changes(more, "translation")) == 1 else ["it is not"])
-    print("%d passed, %d failed" % (passed, failed))
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -18,25 +18,14 @@ import numpy as np
 import yaml
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "test"))
+from checks import check, finish  # noqa: E402
 PROGRAMS = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "devel", "lib", "poinsot")
 SCENES = os.path.join(ROOT, "scenes")
 EXPECTED = """dzhanibekov regimes separatrix t_handle wingnut tennis_racket symmetric_prolate symmetric_oblate sphere toutatis
 nasa_brick tossed_book heavy_top_sleeping heavy_top_loops heavy_top_cusps heavy_top_waves explorer1 gravity_gradient
 damped_tumble thruster_despin hundred phone""".split()
 
-passed = failed = 0
-
-
-def check(name, complaints):
-    global passed, failed
-    if complaints:
-        failed += 1
-        print("FAIL  " + name)
-        for complaint in complaints[:5]:
-            print("        " + complaint)
-    else:
-        passed += 1
-        print("PASS  " + name)
 
 
 def run(*words):
@@ -568,8 +557,7 @@ def main():
             except (RuntimeError, IndexError) as error:
                 complaints = [str(error)]
             check("%s, changed, breaks its promise" % name, noticed(complaints))
-    print("%d passed, %d failed" % (passed, failed))
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ import tempfile
 import xml.etree.ElementTree
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "test"))
+from checks import check, finish  # noqa: E402
 PROGRAM = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "devel", "lib", "poinsot", "work_precision")
 HEADER = "body,method,step,horizon,max_error_rad,energy_drift,momentum_drift,norm_drift,ns_per_step,cpu_s,evaluations"
 ORDERS = {"lie_euler": 1, "buss2": 2, "buss3": 3, "buss4": 4, "rk4": 4, "rkmk4": 4, "cf4": 4, "midpoint": 2, "splitting2": 2,
@@ -20,19 +22,6 @@ KEEP_MOMENTUM = set(ORDERS) - {"rk4"}
 KEEP_ENERGY = {"dmv2", "dmv4", "dmv6", "dmv8", "dmv10"}
 BODIES = ["dzhanibekov_slow", "dzhanibekov_fast", "t_handle", "near_symmetric", "near_separatrix", "extreme_ratio"]
 
-passed = failed = 0
-
-
-def check(name, complaints):
-    global passed, failed
-    if complaints:
-        failed += 1
-        print("FAIL  " + name)
-        for complaint in complaints[:5]:
-            print("        " + complaint)
-    else:
-        passed += 1
-        print("PASS  " + name)
 
 
 def run(*words, **options):
@@ -160,8 +149,7 @@ def main():
               ["exit %d" % said.returncode, said.stderr[-200:]])
         said = run("--help")
         check("--help", [] if said.returncode == 0 and "--quick" in said.stdout else [said.stderr])
-    print("%d passed, %d failed" % (passed, failed))
-    sys.exit(1 if failed else 0)
+    sys.exit(finish())
 
 
 if __name__ == "__main__":

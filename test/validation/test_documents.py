@@ -10,18 +10,11 @@ import subprocess
 import sys
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "test"))
+from checks import check, finish  # noqa: E402
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 ROUNDOFF = 1e-11  # below it a figure is rounding, of which another instruction set leaves another amount
 
-passed = failed = 0
-
-
-def check(name, complaints):
-    global passed, failed
-    passed, failed = passed + (not complaints), failed + bool(complaints)
-    print(("FAIL  " if complaints else "PASS  ") + name, flush=True)
-    for complaint in complaints[:8]:
-        print("        " + complaint)
 
 
 def document(name):
@@ -119,8 +112,7 @@ def main():
           wrong_ratios(table) if len(table) > 20 else ["only %d rows" % len(table)])
     slower = [table[0][:6] + ["1.20"]]
     check("and a ratio that is off would be noticed", [] if len(wrong_ratios(slower)) == 2 else ["it is not"])
-    print("%d passed, %d failed" % (passed, failed))
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":
