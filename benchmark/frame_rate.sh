@@ -3,7 +3,7 @@
 #
 # Usage: benchmark/frame_rate.sh SCENE [VIEW] [OPTION ...]
 #   SCENE      a name in scenes/
-#   VIEW       a name in rviz/, or the path of a .rviz file (default: the scene's, or demo)
+#   VIEW       a name in rviz/, or the path of a .rviz file (default: demo)
 #   OPTION ... of rviz_frame_rate: --seconds S, --rounds N, --rate HZ, --disable-anti-aliasing
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 case "${1:-}" in
@@ -12,7 +12,6 @@ esac
 scene=$1
 shift
 view=demo
-[ ! -f "$root/rviz/$scene.rviz" ] || view=$scene
 if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
   view=$1
   shift

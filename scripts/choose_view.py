@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 """Copies a .rviz file and makes a saved view the current one: choose_view.py IN OUT NAME [WxH].
 
-With a size, the window gets that size; in a wide window, the overview comes as near as make_views.py allows.
+With a size, the window gets that size. The panel fits the view to the scene.
 Exit: 0; 2 when there is no such view; stderr lists the views.
 """
-import re
 import sys
 
 import yaml
@@ -16,8 +15,7 @@ def main():
         return 2
     source, target, name = sys.argv[1:4]
     with open(source) as file:
-        text = file.read()
-    config = yaml.safe_load(text)
+        config = yaml.safe_load(file)
     views = config["Visualization Manager"]["Views"]
     saved = {view["Name"]: view for view in views["Saved"] or []}
     if name not in saved:
@@ -27,12 +25,9 @@ def main():
     for panel in config["Panels"]:
         if panel["Class"] == "poinsot/Panel":
             panel["View"] = name  # by which the panel knows what to hide
-    nearer = re.search(r"Distance may be ([0-9]+\.[0-9]+)", text)
     if len(sys.argv) == 5:
         width, height = (int(x) for x in sys.argv[4].split("x"))
         config["Window Geometry"].update(Width=width, Height=height)
-        if nearer and name == "Overview" and width * 9 >= height * 16:
-            views["Current"]["Distance"] = float(nearer.group(1))
     with open(target, "w") as out:
         yaml.safe_dump(config, out, default_flow_style=None, width=4096)
     return 0

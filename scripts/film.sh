@@ -8,7 +8,7 @@
 #   --seconds S        length of the film (default: 10)
 #   --from T           simulation time at the beginning [s] (default: 0)
 #   --speed R          simulated seconds per second of film (default: 1)
-#   --view NAME        a saved view of the scene's .rviz file (default: Overview; others: Riding, Along L)
+#   --view NAME        a saved view of rviz/demo.rviz (default: Overview; others: Riding, Along L)
 #   --size WxH         size of the mp4 in even numbers (default: 1280x720)
 #   --fps N            frames a second (default: 25)
 #   --picture KIND     kind of the moving picture beside it (default: webp)
@@ -57,7 +57,7 @@ positive --speed "$speed"
 case "$picture" in webp | gif | none) ;; *) bad_use "film.sh: --picture: expected webp, gif or none, got '$picture'" ;; esac
 case "$scene" in
   */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) config=$root/rviz/demo.rviz ;;
-  *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/$scene.rviz ;;
+  *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/demo.rviz ;;
 esac
 [ -f "$file" ] || bad_use "film.sh: expected a scene file or one of $(scene_names | paste -sd' '), got '$scene'"
 out=$(realpath -m -- "$out")

@@ -3,7 +3,7 @@
 #
 # Usage: scripts/scene_pictures.sh [--out DIR] [--view NAME] [SCENE ...]
 #   --out DIR   the directory for the pictures (default: doc/scenes)
-#   --view NAME a saved view of the scenes' .rviz files (default: Overview; others: Riding, Along L)
+#   --view NAME a saved view of rviz/demo.rviz (default: Overview; others: Riding, Along L)
 #   SCENE       names of scenes in scenes/ (default: all)
 #
 # Exit: 0; 1 when something failed; 2 for bad use.
@@ -85,7 +85,7 @@ picture() {
 
 for scene in "${scenes[@]}"; do
   say "$scene at t = $(at "$scene") s"
-  if ! said=$(/usr/bin/python3 "$root/scripts/choose_view.py" "$root/rviz/$scene.rviz" "$config" "$view" 1600x900 2>&1); then
+  if ! said=$(/usr/bin/python3 "$root/scripts/choose_view.py" "$root/rviz/demo.rviz" "$config" "$view" 1600x900 2>&1); then
     [ "$named" -eq 0 ] || bad_use "scene_pictures.sh: $scene: $said"
     say "$scene: $said"  # not every scene has every view
     continue

@@ -27,10 +27,11 @@ void appendTransforms(const session::MovingBody& body, const names::Frames& fram
   out.push_back(transform(stamp, frames.space, frames.space_body, Eigen::Vector3d::Zero(), state.attitude));
 }
 
-void appendStaticTransforms(const names::Frames& frames, const view::Layout& layout, const ros::Time& stamp,
+void appendStaticTransforms(const names::Frames& frames, const view::PictureFrame& frame, const ros::Time& stamp,
                             std::vector<geometry_msgs::TransformStamped>& out) {
-  out.push_back(transform(stamp, names::kWorld, frames.space, layout.space_centre, Eigen::Quaterniond::Identity()));
-  out.push_back(transform(stamp, names::kWorld, frames.model, layout.model_centre, layout.model_orientation));
+  out.push_back(
+      transform(stamp, names::kWorld, frames.space, frame.place.space_centre, Eigen::Quaterniond::Identity()));
+  out.push_back(transform(stamp, names::kWorld, frames.model, frame.place.model_centre, frame.model_orientation));
 }
 
 BodyState stateMessage(const session::MovingBody& body, const session::Tick& tick, double cost) {
@@ -70,11 +71,11 @@ nav_msgs::Odometry odometryMessage(const session::MovingBody& body, const std::s
   return out;
 }
 
-BodyDescription descriptionMessage(const session::MovingBody& body, const std::string& frame,
-                                   const view::PictureScale& scale) {
+BodyDescription descriptionMessage(const session::MovingBody& body, const std::string& frame_id,
+                                   const view::PictureFrame& frame) {
   const MotionSetup& setup = body.motion().setup();
   BodyDescription out;
-  out.header.frame_id = frame;
+  out.header.frame_id = frame_id;
   out.body = body.name();
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> tensor = setup.inertia.tensor();
   std::copy(tensor.data(), tensor.data() + 9, out.inertia_tensor.begin());
@@ -85,6 +86,7 @@ BodyDescription descriptionMessage(const session::MovingBody& body, const std::s
   out.accuracy = body.accuracy();
   if (setup.translation) out.effects.push_back(std::string(Translation::kName) + ": " + setup.translation->text());
   for (const Effect& effect : setup.effects) out.effects.push_back(textOf(effect));
+  const view::PictureScale scale = view::scaleInMetres(frame);
   out.metres_per_radian_per_second = scale.metres_per_radian_per_second;
   out.metres_per_angular_momentum = scale.metres_per_angular_momentum;
   return out;

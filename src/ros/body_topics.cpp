@@ -59,7 +59,7 @@ void BodyTopics::publish(const session::Body& body, const session::Tick& tick) c
 }
 
 void BodyTopics::publishDescription(const session::Body& body) const {
-  publishers_->description.publish(descriptionMessage(body, frames_.body, frame().scale));
+  publishers_->description.publish(descriptionMessage(body, frames_.body, frame()));
 }
 
 BodyTopics& topicsOf(const session::Body& body) {
@@ -77,7 +77,9 @@ session::MakeCompanion topicsMaker(const std::shared_ptr<PublisherStore>& publis
         (redraw == session::Redraw::never || view::hasFairSize(found->second, body.inertia, body.omega_body))) {
       keep = found->second;
     }
-    return std::make_unique<BodyTopics>(body, motion, frame_prefix, publishers->of(body.name), keep);
+    auto topics = std::make_unique<BodyTopics>(body, motion, frame_prefix, publishers->of(body.name), keep);
+    if (redraw != session::Redraw::never) topics->picture().faceViewer();
+    return topics;
   };
 }
 

@@ -53,7 +53,7 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
     : interrupted_(interrupted),
       parameters_(parameters),
       timer_(pacing(parameters.publish_clock), parameters.rate, *ros::getGlobalCallbackQueue()),
-      topics_(handle),
+      topics_(handle, private_handle),
       publishers_(std::make_shared<PublisherStore>(handle)) {
   for (const std::string& warning : parameters.scene.warnings) warned(warning);
   if (parameters.publish_clock) {
@@ -89,7 +89,8 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
   status_.publisher = own.advertise<NodeStatus>(names::kStatus, 10);
   status_.scenes = sceneNames();
   subscribers_ = {own.subscribe(names::kSpeed, kControlQueue, &Node::onSpeed, this),
-                  own.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this)};
+                  own.subscribe(names::kSeek, kControlQueue, &Node::onSeek, this),
+                  own.subscribe(names::kLightBackground, 1, &Node::onLightBackground, this)};
   viewer_.subscriber = own.subscribe(names::kViewpoint, 1, &Node::onViewpoint, this);
   services_ = std::make_unique<Services>(
       own, parameters.rate, *ros::getGlobalCallbackQueue(),

@@ -8,6 +8,8 @@
 
 #include "poinsot/ros/body_messages.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/ros/layout_message.h"
+#include "poinsot/ros/markers/drawings.h"
 #include "poinsot/ros/markers/marker_tracker.h"
 #include "poinsot/ros/names.h"
 
@@ -17,6 +19,7 @@ namespace {
 using visualization_msgs::MarkerArray;
 
 constexpr std::uint64_t kFirstStamp = 1000000000;  // ns: not zero, which ROS reads as "no time yet"
+const char* const kLayoutTopic = "/poinsot/layout";  // of a node with its usual name
 const ros::Duration kRepeatAfter(2);
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -40,16 +43,22 @@ SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Opt
   entries_.reserve(scene.bodies.size());
   for (const scene::Body& body : scene.bodies) {
     entries_.emplace_back(body, markers_ ? BodyPicture::Detail::pictures : BodyPicture::Detail::none);
-    if (!markers_) entries_.back().picture.reset();
     some_body_steps_ = some_body_steps_ || !entries_.back().body.motion().inClosedForm();
   }
+  std::vector<BodyPicture*> pictures;
+  for (const Entry& entry : entries_) pictures.push_back(entry.picture.get());
+  SceneFacts facts;
+  facts.some_body_steps = some_body_steps_;
+  facts.loop = scene.loop;
+  layout_ = layOutScene(pictures, facts);
+  drawings_ = scene.drawings;
+  appendDrawings(drawings_, layout_);
 }
 
 SceneBag::Entry::Entry(const scene::Body& scene_body, BodyPicture::Detail detail)
     : body(scene_body),
       frames("", scene_body.name),
-      picture(std::make_unique<BodyPicture>(scene_body, body.motion(), frames, detail)),
-      frame(picture->frame()) {}
+      picture(std::make_unique<BodyPicture>(scene_body, body.motion(), frames, detail)) {}
 
 // On a full disk a bag cannot be destroyed: its destructor would write once more, and throw.
 SceneBag::~SceneBag() {
@@ -85,11 +94,16 @@ void SceneBag::write(double t) {
 void SceneBag::writeStatic() {
   tf2_msgs::TFMessage transforms;
   for (const Entry& entry : entries_) {
-    appendStaticTransforms(entry.frames, entry.frame.layout, *stamp_, transforms.transforms);
+    appendStaticTransforms(entry.frames, entry.picture->frame(), *stamp_, transforms.transforms);
     putLatched(topicOf(entry.body, names::kDescription),
-               descriptionMessage(entry.body, entry.frames.body, entry.frame.scale));
+               descriptionMessage(entry.body, entry.frames.body, entry.picture->frame()));
   }
   putLatched("/tf_static", transforms);
+  std::vector<std::string> with_pictures;
+  for (const Entry& entry : entries_) {
+    if (entry.picture->hasPictures()) with_pictures.push_back(entry.body.name());
+  }
+  putLatched(kLayoutTopic, layoutMessage(layout_, with_pictures, {}));
   writeStaticMarkers();
   static_markers_repeated_ = false;
 }
@@ -100,6 +114,7 @@ void SceneBag::writeStaticMarkers() {
   if (!markers_) return;
   MarkerArray markers;
   for (const Entry& entry : entries_) entry.picture->appendStatic(markers);
+  appendDrawings(drawings_, layout_, false, markers);
   clearLeftovers(still_cleared_, markers);
   putLatched(absolute(names::kMarkersStatic), markers);
 }

@@ -31,7 +31,8 @@ Figures figuresOf(const session::Body& body) {
 
 }  // namespace
 
-SceneTopics::SceneTopics(ros::NodeHandle handle) {
+SceneTopics::SceneTopics(ros::NodeHandle handle, ros::NodeHandle private_handle)
+    : layout_(private_handle) {
   // A subscriber that comes while ROS time stands still is sent the last tick: no other may come.
   tf_ =
       handle.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {
@@ -50,6 +51,7 @@ SceneTopics::SceneTopics(ros::NodeHandle handle) {
 
 void SceneTopics::begin(const Session& session, const ros::Time& stamp) {
   began_ = ros::SteadyTime::now();
+  layout_.layOut(session);
   publishStatic(session, stamp);
 }
 
@@ -58,37 +60,48 @@ void SceneTopics::publishStatic(const Session& session, const ros::Time& stamp) 
   tf2_msgs::TFMessage transforms;
   for (const auto& body : session.bodies()) {
     const BodyTopics& topics = topicsOf(*body);
-    appendStaticTransforms(topics.frames(), topics.frame().layout, stamp, transforms.transforms);
+    appendStaticTransforms(topics.frames(), topics.frame(), stamp, transforms.transforms);
     topics.publishDescription(*body);
   }
   static_tf_.publish(transforms);
+  layout_.publish(session);
   publishStaticMarkers(session);
 }
 
 void SceneTopics::sceneChanged(const Session& session, const ros::Time& stamp) {
   // New viewers are not sent what the old scene had sent, and viewers that are there no longer see it.
   resend_static_at_ = ros::SteadyTime::now() + kResendAfterScene;
-  preview_is_new_ = false;
+  preview_.is_new = false;
   transforms_.transforms.clear();
   last_tick_.reset();
   moving_.withdrawAll();
   publishMoving({});
+  layout_.layOut(session);
   publishStatic(session, stamp);
 }
 
 void SceneTopics::bodiesChanged(const Session& session, const std::vector<std::string>& names, const ros::Time& stamp) {
-  preview_is_new_ = false;
+  preview_.is_new = false;
   for (const std::string& name : names) moving_.withdraw(name);
+  layout_.layOut(session);
   publishStatic(session, stamp);
 }
 
+void SceneTopics::setLightBackground(bool light, const Session& session, const ros::Time& stamp) {
+  layout_.setLightBackground(light);
+  layout_.layOut(session);
+  publishStatic(session, stamp);
+  markers_have_new_viewer_ = true;
+  for (const auto& body : session.bodies()) topicsOf(*body).picture().sendAllNext();
+}
+
 void SceneTopics::previewChanged(const std::string& body) {
-  preview_is_new_ = true;
+  preview_.is_new = true;
   moving_.withdraw(body);  // the trail and the words are those of the spin before
 }
 
 void SceneTopics::previewEnded(const Session& session, const std::string& body) {
-  preview_is_new_ = false;
+  preview_.is_new = false;
   moving_.withdraw(body);
   publishStaticMarkers(session);
 }
@@ -103,6 +116,7 @@ void SceneTopics::withdrawLeftovers(const Session& session, MarkerTracker& marke
 void SceneTopics::publishStaticMarkers(const Session& session) {
   MarkerArray markers;
   for (std::size_t i = 0; i < session.bodies().size(); ++i) topicsOf(session.drawn(i)).picture().appendStatic(markers);
+  layout_.appendDrawings(session, markers);
   still_.withdrawAll();
   still_.withdrawAgain();  // a slow viewer is sent only the last of several messages
   withdrawLeftovers(session, still_);
@@ -129,6 +143,7 @@ void SceneTopics::publish(const Session& session, const session::Tick& tick) {
   tf_.publish(transforms_);
   transforms_sent_ = ros::SteadyTime::now();
   for (const auto& body : session.bodies()) topicsOf(*body).publish(*body, tick);
+  layout_.follow(session);
   publishPreview(session);
   publishMarkers(session, tick);
 }
@@ -141,9 +156,9 @@ void SceneTopics::publishToNewViewers(const Session& session) {
 }
 
 bool SceneTopics::publishPreview(const Session& session) {
-  if (!session.preview() || !preview_is_new_ || ros::SteadyTime::now() - preview_sent_ < kPreviewPause) return false;
-  preview_is_new_ = false;
-  preview_sent_ = ros::SteadyTime::now();
+  if (!session.preview() || !preview_.is_new || ros::SteadyTime::now() - preview_.sent < kPreviewPause) return false;
+  preview_.is_new = false;
+  preview_.sent = ros::SteadyTime::now();
   publishStaticMarkers(session);
   return true;
 }

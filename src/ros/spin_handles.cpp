@@ -19,24 +19,24 @@ using visualization_msgs::InteractiveMarkerControl;
 using visualization_msgs::InteractiveMarkerFeedback;
 using visualization_msgs::Marker;
 
-constexpr double kDiameter = 0.24;  // m: the point of Ω within is 0.1
+constexpr double kDiameter = 0.24;  // radii of a picture: the point of Ω within is 0.1
 constexpr float kAlpha = 0.35f;
 constexpr int kMeridians = 12, kParallels = 6;
 constexpr std::size_t kMostHandles = 16;    // bodies beyond have none
 constexpr std::size_t kPlacedEachTick = 4;  // with more they are placed more rarely
 constexpr std::size_t kMostEvents = 1000;   // kept between two calls of take()
 
-/** Returns a ball around Ω, with a sixth of the triangles of RViz's own sphere: software OpenGL is slow. */
-Marker ball() {
+/** Returns a ball of that diameter [m] around Ω, with a sixth of the triangles of RViz's own sphere: software OpenGL is slow. */
+Marker ball(double diameter) {
   Marker out;
   out.type = Marker::TRIANGLE_LIST;
   out.pose.orientation.w = 1;
   out.scale = toVector3({1, 1, 1});
   out.color = palette::translucent(palette::kOmega, kAlpha);
-  const auto point = [](int parallel, int meridian) {
+  const auto point = [diameter](int parallel, int meridian) {
     const double polar = M_PI * parallel / kParallels, around = 2 * M_PI * meridian / kMeridians;
     return toPoint(
-        0.5 * kDiameter *
+        0.5 * diameter *
         Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar)));
   };
   for (int j = 0; j < kParallels; ++j) {
@@ -98,12 +98,12 @@ MenuHandler::EntryHandle SpinHandles::entry(const std::optional<MenuHandler::Ent
   return out;
 }
 
-void SpinHandles::make(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
+void SpinHandles::make(const std::string& body, const Placed& at) {
   InteractiveMarker handle;
-  handle.header.frame_id = frame;
+  handle.header.frame_id = at.frame;
   handle.name = body;
-  handle.scale = static_cast<float>(kDiameter);
-  handle.pose = poseAt(point);
+  handle.scale = static_cast<float>(kDiameter * at.radius);
+  handle.pose = poseAt(at.point);
 
   InteractiveMarkerControl control;
   control.name = "lead";
@@ -112,22 +112,23 @@ void SpinHandles::make(const std::string& body, const std::string& frame, const 
   control.interaction_mode = InteractiveMarkerControl::MOVE_3D;
   control.orientation.w = 1;
   control.always_visible = true;
-  control.markers.push_back(ball());
+  control.markers.push_back(ball(kDiameter * at.radius));
   handle.controls.push_back(control);
 
   server_.insert(handle, [this](const Feedback& feedback) { add(feedback); });
   menu_.apply(server_, body);
 }
 
-void SpinHandles::place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point) {
+void SpinHandles::place(const std::string& body, const Placed& at) {
   const auto there = placed_.find(body);
-  const bool is_new = there == placed_.end() || there->second.frame != frame;
-  if (!is_new && there->second.point == point) return;
-  placed_[body] = {frame, point};
+  const bool is_new =
+      there == placed_.end() || there->second.frame != at.frame || there->second.radius != at.radius;
+  if (!is_new && there->second.point == at.point) return;
+  placed_[body] = at;
   if (is_new) {
-    make(body, frame, point);
+    make(body, at);
   } else {
-    server_.setPose(body, poseAt(point));
+    server_.setPose(body, poseAt(at.point));
   }
 }
 
@@ -155,10 +156,11 @@ void SpinHandles::update(const session::Session& session) {
   ticks_since_update_ = 0;
   for (std::size_t i = 0; i < std::min(bodies.size(), kMostHandles); ++i) {
     const session::Body& body = session.drawn(i);
-    if (body.state().omega_body.isZero(0)) {
+    BodyTopics& topics = topicsOf(body);
+    if (body.state().omega_body.isZero(0) || !topics.picture().hasPictures()) {
       remove(body.name());
     } else {
-      place(body.name(), topicsOf(body).frames().model, session::omegaPoint(body));
+      place(body.name(), {topics.frames().model, session::omegaPoint(body), topics.frame().unit});
     }
   }
   server_.applyChanges();

@@ -8,11 +8,23 @@
 #include "widgets.h"
 
 namespace poinsot::rviz_panel {
+namespace {
+
+rviz::ColorProperty* backgroundOf(const rviz::VisualizationManager& manager) {
+  return dynamic_cast<rviz::ColorProperty*>(
+      manager.getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"));
+}
+
+}  // namespace
+
+bool isBackgroundLight(const rviz::VisualizationManager& manager) {
+  const rviz::ColorProperty* const colour = backgroundOf(manager);
+  return colour && colour->getColor().lightnessF() > 0.5;
+}
 
 QCheckBox* makeBackgroundBox(rviz::VisualizationManager* manager) {
   auto* const box = makeButton<QCheckBox>("&Light background", "light_background", "For paper and bright rooms.");
-  auto* const colour = dynamic_cast<rviz::ColorProperty*>(
-      manager->getRootDisplayGroup()->subProp("Global Options")->subProp("Background Color"));
+  rviz::ColorProperty* const colour = backgroundOf(*manager);
   if (!colour) return box;
   const auto show = [box, colour] { box->setChecked(colour->getColor().lightnessF() > 0.5); };  // which is no click
   QObject::connect(colour, &rviz::Property::changed, box, show);

@@ -13,6 +13,13 @@ void HiddenParts::load(const rviz::Config& panel) {
   for (int i = 0; i < off.listLength(); ++i) was_shown_[off.listChildAt(i).getValue().toString()] = false;
 }
 
+void HiddenParts::set(const rviz::Config& hidden, const rviz::DisplayGroup& displays, const QString& view) {
+  bringBack(displays, view);
+  hidden_ = hidden;
+  remember(displays, view);
+  hide(displays, view);
+}
+
 void HiddenParts::save(rviz::Config panel, const QString& view) const {
   if (hidden_.isValid()) panel.mapMakeChild("Hidden").copy(hidden_);
   QStringList off = was_shown_.keys(false);

@@ -36,6 +36,11 @@ void MomentumCamera::save(rviz::Config panel) const {
   if (bodies_.isValid()) panel.mapMakeChild("Down L").copy(bodies_);
 }
 
+void MomentumCamera::follow(const QString& view, const QString& body) {
+  bodies_ = rviz::Config();
+  bodies_.mapSetValue(view, body);
+}
+
 void MomentumCamera::take(const QString& view) {
   view_ = view;
   camera_ = views_->getCurrent();

@@ -41,6 +41,8 @@ class MomentumCamera {
   explicit MomentumCamera(rviz::ViewManager* views) : views_(views) {}
 
   void load(const rviz::Config& panel) { bodies_ = panel.mapGetChild("Down L"); }
+  /** Has a view look along the L of a body. */
+  void follow(const QString& view, const QString& body);
   void save(rviz::Config panel) const;
 
   /** The view that has been chosen; RViz's present camera is its own. Any other camera is left as it is. */

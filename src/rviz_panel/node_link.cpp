@@ -8,6 +8,7 @@
 #include <ros/names.h>
 #include <ros/node_handle.h>
 #include <ros/service.h>
+#include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -48,8 +49,11 @@ struct NodeLink::Connection {
     speed = private_handle.advertise<std_msgs::Float64>(names::kSpeed, 10);
     seek = private_handle.advertise<std_msgs::Float64>(names::kSeek, 10);
     viewpoint = private_handle.advertise<geometry_msgs::PointStamped>(names::kViewpoint, 10);
+    background = private_handle.advertise<std_msgs::Bool>(names::kLightBackground, 10);
     status = private_handle.subscribe<NodeStatus>(
         names::kStatus, 10, [to](const NodeStatus::ConstPtr& message) { to->onStatus(*message); });
+    layout = private_handle.subscribe<SceneLayout>(
+        names::kLayout, 1, [to](const SceneLayout::ConstPtr& message) { Q_EMIT to->layoutReceived(*message); });
   }
 
   void watch(const std::string& body) {
@@ -71,8 +75,8 @@ struct NodeLink::Connection {
   ros::CallbackQueue queue;
   ros::NodeHandle handle;
   ros::NodeHandle private_handle;
-  ros::Publisher speed, seek, viewpoint;
-  ros::Subscriber status, state, description;
+  ros::Publisher speed, seek, viewpoint, background;
+  ros::Subscriber status, layout, state, description;
 };
 
 NodeLink::NodeLink(QObject* parent) : QObject(parent) {
@@ -132,6 +136,7 @@ void NodeLink::onStatus(const NodeStatus& status) {
   since_status_.start();
   if (!std::exchange(alive_, true)) {
     eye_.reset();
+    light_background_.reset();
     Q_EMIT found();
   }
   Q_EMIT statusReceived(status);
@@ -197,6 +202,14 @@ void NodeLink::setEye(const std::array<double, 3>& eye) {
   message.point.y = eye[1];
   message.point.z = eye[2];
   connection_->viewpoint.publish(message);
+}
+
+void NodeLink::setLightBackground(bool light) {
+  if (light_background_ == light || !connection_ || connection_->background.getNumSubscribers() == 0) return;
+  light_background_ = light;
+  std_msgs::Bool message;
+  message.data = light;
+  connection_->background.publish(message);
 }
 
 template <typename Service>

@@ -3,6 +3,7 @@
 #include <poinsot/BodyDescription.h>
 #include <poinsot/BodyState.h>
 #include <poinsot/NodeStatus.h>
+#include <poinsot/SceneLayout.h>
 
 #include <ros/publisher.h>
 
@@ -60,6 +61,8 @@ class NodeLink : public QObject {
   void seek(double time) { seek_ = time; }
   /** Where the viewer's eye is [m], in the world frame; not sent again while it is there. */
   void setEye(const std::array<double, 3>& eye);
+  /** Whether the viewer's background is light; not sent again while it stays so. */
+  void setLightBackground(bool light);
 
  Q_SIGNALS:
   void found();
@@ -67,6 +70,7 @@ class NodeLink : public QObject {
   void statusReceived(const poinsot::NodeStatus& status);
   void stateReceived(const poinsot::BodyState& state);
   void descriptionReceived(const poinsot::BodyDescription& description);
+  void layoutReceived(const poinsot::SceneLayout& layout);
   /** The outcome of a service call, in the node's words. */
   void done(const QString& message);
   void refused(const QString& message);
@@ -94,6 +98,7 @@ class NodeLink : public QObject {
   QElapsedTimer since_call_;
   int calls_ = 0;                             ///< that have not been answered
   std::optional<std::array<double, 3>> eye_;  ///< that the node has been told
+  std::optional<bool> light_background_;      ///< likewise
   std::optional<double> speed_, seek_;        ///< to be sent
   QTimer timer_;
   std::shared_ptr<Connection> connection_;

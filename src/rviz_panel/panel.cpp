@@ -110,7 +110,8 @@ void Panel::listen() {
   connect(link_, &NodeLink::stateReceived, this, &Panel::onState);
   connect(link_, &NodeLink::descriptionReceived, plots_, &Plots::setPrincipalAxes);
   connect(link_, &NodeLink::descriptionReceived, this,
-          [this](const BodyDescription& description) { views_->camera().showDescription(description); });
+          [this](const BodyDescription& description) { views_->showDescription(description); });
+  connect(link_, &NodeLink::layoutReceived, this, [this](const SceneLayout& layout) { views_->showLayout(layout); });
   connect(link_, &NodeLink::found, this, [this] {
     controls_->setEnabled(true);
     banner_->hide();
@@ -162,7 +163,7 @@ void Panel::clear() {
 void Panel::onStatus(const NodeStatus& status) {
   const QString scene = QString::fromStdString(status.scene);
   if (scene_ && *scene_ != scene) {
-    views_->loadViewsOf(scene);
+    views_->sceneChanged();
     notice_->sceneChanged();
   }
   scene_ = scene;
@@ -194,6 +195,7 @@ void Panel::refresh() {
   views_->refresh();
   reset_guard_->refillDisplays();
   if (const auto eye = eyeInWorld(*vis_manager_)) link_->setEye(*eye);
+  link_->setLightBackground(isBackgroundLight(*vis_manager_));
   notice_->refresh();
   const QString body = isVisible() ? method_->body() : QString();
   if (body != link_->body()) {

@@ -1,20 +1,26 @@
 #include "view_choice.h"
 
+#include <rviz/render_panel.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
 #include <rviz/window_manager_interface.h>
+#include <rviz/yaml_config_writer.h>
 
 #include <QCoreApplication>
 #include <QPushButton>
-#include <optional>
+#include <algorithm>
+#include <cmath>
 
-#include "view_file.h"
+#include "displays.h"
+#include "scene_views.h"
 #include "widgets.h"
 
 namespace poinsot::rviz_panel {
 namespace {
 
 constexpr int kColumns = 3;
+constexpr double kCell = 3;  // of the floor, in radii of a picture
+constexpr int kLeastCells = 8, kMostCells = 60;
 
 /**
  * RViz sends its list of views calls with bare pointers to properties of a new one; they are to have arrived before
@@ -22,6 +28,14 @@ constexpr int kColumns = 3;
  */
 void settleProperties() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
+}
+
+/** All settings of a camera but its name. */
+QString textOf(const rviz::ViewController& camera) {
+  rviz::Config config;
+  camera.save(config);
+  config.mapSetValue("Name", "");
+  return rviz::YamlConfigWriter().writeString(config);
 }
 
 }  // namespace
@@ -37,6 +51,12 @@ ViewChoice::ViewChoice(rviz::VisualizationManager* manager) : manager_(manager),
 }
 
 void ViewChoice::refresh() {
+  const QWidget* const picture = manager_->getRenderPanel();
+  const double aspect = picture && picture->height() > 0 ? static_cast<double>(picture->width()) / picture->height() : 0;
+  if (aspect > 0 && aspect != aspect_) {
+    aspect_ = aspect;
+    fit();
+  }
   rviz::ViewManager* const views = manager_->getViewManager();
   QStringList names;
   for (int i = 0; i < views->getNumViews(); ++i) names << views->getViewAt(i)->getName();
@@ -66,6 +86,14 @@ void ViewChoice::take(int index) {
   views->setCurrentFrom(views->getViewAt(index));
   choose(views->getViewAt(index)->getName());
   camera_.look();
+  set_ = textOf(*views->getCurrent());
+}
+
+void ViewChoice::chooseNamed(const QString& view) {
+  const rviz::ViewManager& views = *manager_->getViewManager();
+  for (int i = 0; i < views.getNumViews(); ++i) {
+    if (views.getViewAt(i)->getName() == view) return take(i);
+  }
 }
 
 void ViewChoice::choose(const QString& view) {
@@ -105,18 +133,97 @@ void ViewChoice::save(rviz::Config panel) const {
   camera_.save(panel);
 }
 
-void ViewChoice::loadViewsOf(const QString& scene) {
-  const std::optional<rviz::Config> file = view_file::read(scene);
-  if (!file) return;
+void ViewChoice::showLayout(const SceneLayout& layout) {
+  const bool is_first = !layout_;
+  const bool fits_other_bodies = !layout_ || layout_->pictures != layout.pictures;
+  layout_ = layout;
+  if (is_first && isAsSaved()) set_ = textOf(*manager_->getViewManager()->getCurrent());
+  if (fits_other_bodies) {
+    // A panel that is hidden follows no body: then it is the first.
+    const auto& bodies = layout.pictures;
+    if (!bodies.empty() && std::find(bodies.begin(), bodies.end(), body_) == bodies.end()) {
+      body_ = frame_ = bodies.front();
+      camera_.follow(scene_views::kAlongL, QString::fromStdString(body_));
+    }
+    hidden_.set(scene_views::hiddenFor(layout, body_), *manager_->getRootDisplayGroup(), chosen_);
+  }
+  fit();
+}
+
+void ViewChoice::showDescription(const BodyDescription& description) {
+  camera_.showDescription(description);
+  if (description.body == body_ && description.header.frame_id == frame_) return;
+  body_ = description.body;
+  frame_ = description.header.frame_id;
+  camera_.follow(scene_views::kAlongL, QString::fromStdString(body_));
+  if (!layout_) return;
+  hidden_.set(scene_views::hiddenFor(*layout_, body_), *manager_->getRootDisplayGroup(), chosen_);
+  fit();
+}
+
+bool ViewChoice::isAsSaved() const {
+  const rviz::ViewManager& views = *manager_->getViewManager();
+  for (int i = 0; i < views.getNumViews(); ++i) {
+    if (views.getViewAt(i)->getName() == chosen_) return textOf(*views.getViewAt(i)) == textOf(*views.getCurrent());
+  }
+  return false;
+}
+
+bool ViewChoice::isUntouched() const {
+  const rviz::ViewController* const camera = manager_->getViewManager()->getCurrent();
+  return camera && textOf(*camera) == set_;
+}
+
+void ViewChoice::fit() {
+  if (!layout_ || !(aspect_ > 0)) return;
   // The user has changed nothing: RViz need not ask whether to save it.
   QWidget* const window = manager_->getWindowManager() ? manager_->getWindowManager()->getParentWindow() : nullptr;
   const bool modified = window && window->isWindowModified();
-  choose("");  // shows again what the old view left out
   settleProperties();
-  manager_->getViewManager()->load(view_file::viewsOf(*file));
-  view_file::fitDisplays(*manager_->getRootDisplayGroup(), *file);
-  if (const std::optional<rviz::Config> panel = view_file::panelOf(*file)) load(*panel);
+  fitView(scene_views::overviewOf(*layout_, aspect_));
+  const auto& with_pictures = layout_->pictures;
+  if (std::find(with_pictures.begin(), with_pictures.end(), body_) != with_pictures.end()) {
+    fitView(scene_views::ridingOf(*layout_, frame_));
+    fitView(scene_views::alongOf(*layout_, frame_));
+  }
+  fitFloor();
   if (window) window->setWindowModified(modified);
+}
+
+void ViewChoice::fitView(const rviz::Config& view) {
+  QString name;
+  view.mapGetString("Name", &name);
+  rviz::ViewManager* const views = manager_->getViewManager();
+  for (int i = 0; i < views->getNumViews(); ++i) {
+    if (views->getViewAt(i)->getName() == name) views->getViewAt(i)->load(view);
+  }
+  if (name != chosen_ || !isUntouched()) return;
+  rviz::Config present;
+  present.copy(view);
+  present.mapSetValue("Name", "Current View");
+  views->getCurrent()->load(present);
+  if (name == scene_views::kAlongL) camera_.look();
+  set_ = textOf(*views->getCurrent());
+}
+
+void ViewChoice::fitFloor() {
+  double lowest = 0, left = 0, right = 0;
+  for (std::size_t i = 0; i < layout_->centres.size() && i < layout_->radii.size(); ++i) {
+    const geometry_msgs::Point& p = layout_->centres[i];
+    const double r = layout_->radii[i];
+    lowest = i == 0 ? p.z - r : std::min(lowest, p.z - r);
+    left = i == 0 ? p.y - r : std::min(left, p.y - r);
+    right = i == 0 ? p.y + r : std::max(right, p.y + r);
+  }
+  const double radius = layout_->picture_radius, cell = kCell * radius;
+  for (rviz::Display* const display : displaysOf(*manager_->getRootDisplayGroup())) {
+    if (display->getName() != "Floor" || display->getClassId() != "rviz/Grid") continue;
+    display->subProp("Cell Size")->setValue(cell);
+    display->subProp("Plane Cell Count")
+        ->setValue(std::clamp(static_cast<int>(std::ceil(1.5 * (right - left) / cell)), kLeastCells, kMostCells));
+    display->subProp("Offset")->subProp("Y")->setValue(0.5 * (left + right));
+    display->subProp("Offset")->subProp("Z")->setValue(lowest - 0.1 * radius);
+  }
 }
 
 }  // namespace poinsot::rviz_panel

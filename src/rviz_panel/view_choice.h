@@ -1,25 +1,32 @@
 #pragma once
 
+#include <poinsot/BodyDescription.h>
+#include <poinsot/SceneLayout.h>
 #include <rviz/config.h>
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+#include <optional>
+#include <string>
 
 #include "hidden_parts.h"
 #include "momentum_camera.h"
 
 namespace rviz {
+class ViewController;
 class VisualizationManager;
-}
+}  // namespace rviz
 
 namespace poinsot::rviz_panel {
 
 /**
- * Buttons for RViz's saved views. A view may leave parts of the picture out (`HiddenParts`) and look along L
- * (`MomentumCamera`). The panel's `View` in a .rviz file is the view that was chosen last.
+ * Buttons for RViz's saved views. Those that every scene has (scene_views.h) fit the scene that plays and the body that
+ * the panel follows, at any size of the window, until the user moves the camera. Riding and Along L leave parts of the
+ * picture out (`HiddenParts`). The panel's `View` in a .rviz file is the view that was chosen last.
  */
 class ViewChoice : public QWidget {
  public:
@@ -30,20 +37,30 @@ class ViewChoice : public QWidget {
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
 
-  /**
-   * Takes the views from rviz/<scene>.rviz of this package; where there is none, all stays as it is. Displays of the
-   * same name and kind are shown or not as in that file, with its hidden namespaces and its floor's place and size; no
-   * more.
-   */
-  void loadViewsOf(const QString& scene);
+  void showLayout(const SceneLayout& layout);
+  /** Of the body that the panel follows. */
+  void showDescription(const BodyDescription& description);
 
-  /** Shows a button for each view that RViz has saved. */
+  /** Chooses a view by its name; nothing where there is none of that name. */
+  void chooseNamed(const QString& view);
+  /** Another scene plays: back to the overview. */
+  void sceneChanged() { chooseNamed("Overview"); }
+
+  /** Shows a button for each view that RViz has saved, and fits the views where the window has another size. */
   void refresh();
 
  private:
   void take(int index);
   void choose(const QString& view);
   void markChosen();
+  /** Fits the saved views, and the camera that shows one of them. */
+  void fit();
+  void fitView(const rviz::Config& view);
+  void fitFloor();
+  /** Whether RViz's camera is that of the chosen view as it was saved. */
+  bool isAsSaved() const;
+  /** Whether RViz's camera is as this class has set it. */
+  bool isUntouched() const;
 
   rviz::VisualizationManager* const manager_;
   QLabel* title_;
@@ -52,6 +69,10 @@ class ViewChoice : public QWidget {
   QString chosen_;
   HiddenParts hidden_;
   MomentumCamera camera_;
+  std::optional<SceneLayout> layout_;
+  std::string body_, frame_;  ///< that the panel follows
+  double aspect_ = 0;         ///< of the picture for which the views were fitted
+  QString set_;               ///< RViz's camera, as it was set last
 };
 
 }  // namespace poinsot::rviz_panel

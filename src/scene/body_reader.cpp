@@ -8,6 +8,7 @@
 #include "effect_reader.h"
 #include "fields.h"
 #include "inertia_reader.h"
+#include "look_reader.h"
 #include "method_reader.h"
 #include "number.h"
 #include "poinsot/core/motion.h"
@@ -97,7 +98,7 @@ void readAngularVelocity(const Fields& fields, Body& body) {
 Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std::string>& warnings) {
   const Fields fields(withName(unnamed), kExpectedBody);
   fields.allowOnly({"name", "inertia", "shape", "appearance", "attitude", "angular_velocity", "method", "step",
-                    "accuracy", "horizon", "effects"});
+                    "accuracy", "horizon", "effects", "pictures", "stand", "colour"});
 
   Body body;
   body.name = readName(fields.require("name", kExpectedName));
@@ -107,6 +108,7 @@ Body readBody(const Place& unnamed, const ReadOptions& options, std::vector<std:
   movePivot(fields, body);
   if (const auto attitude = fields.find("attitude")) body.attitude = readRotation(*attitude);
   readAngularVelocity(fields, body);
+  readLook(fields, body);
   readMethod(fields, options, body, warnings);
   return body;
 }

@@ -9,6 +9,7 @@
 #include "body_reader.h"
 #include "document.h"
 #include "fields.h"
+#include "look_reader.h"
 #include "number.h"
 #include "poinsot/scene/message.h"
 #include "text_file.h"
@@ -76,10 +77,11 @@ void warnOfFarBodies(const Place& bodies, Scene& scene) {
 
 Scene readScene(const Place& top, const ReadOptions& options) {
   const Fields fields(top, kExpectedScene);
-  fields.allowOnly({"rate", "bodies"});
+  fields.allowOnly({"rate", "loop", "bodies", "drawings"});
 
   Scene scene;
   if (const auto rate = fields.find("rate")) scene.rate = readNumber(*rate, quantity::kRate);
+  if (const auto loop = fields.find("loop")) scene.loop = readNumber(*loop, quantity::kDuration);
 
   const char* const expected = "a list of at least one body";
   const Place bodies = fields.require("bodies", expected);
@@ -90,6 +92,12 @@ Scene readScene(const Place& top, const ReadOptions& options) {
     scene.bodies.push_back(readBody(place, options, scene.warnings));
     const std::string& name = scene.bodies.back().name;
     frames.claim(name, place.called(name).under(YAML::Node("name"), place.node()["name"]));
+  }
+  if (const auto drawings = fields.find("drawings")) {
+    drawings->requireList("a list of at least one line or text", 1);
+    for (std::size_t i = 0; i < drawings->node().size(); ++i) {
+      scene.drawings.push_back(readDrawing(drawings->item(i)));
+    }
   }
   warnOfBodiesInOnePlace(bodies, scene);
   warnOfFarBodies(bodies, scene);

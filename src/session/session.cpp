@@ -28,6 +28,14 @@ Body& Session::drawn(std::size_t i) const {
   return preview_ && drag_.isOn(bodies_[i]->name()) ? *preview_ : *bodies_[i];
 }
 
+void Session::beginNextRound(Nanoseconds stamp) {
+  const std::optional<double>& loop = playing_.scene.loop;
+  if (!loop || clock_.paused()) return;
+  const double next = clock_.nextTime(stamp);
+  if (clock_.speed() > 0 && next >= *loop) clock_.jumpTo(0);
+  if (clock_.speed() < 0 && next < 0) clock_.jumpTo(*loop);
+}
+
 std::optional<Tick> Session::tick(Nanoseconds stamp) {
   if (clock_.jumpedBack(stamp)) {
     clock_.restartStamps();
@@ -40,6 +48,7 @@ std::optional<Tick> Session::tick(Nanoseconds stamp) {
     listener_.stampsJumpedAhead(toSeconds(stamp - clock_.stamp()));
     clock_.restartStamps();
   }
+  beginNextRound(stamp);
   const std::optional<Tick> tick = clock_.tick(stamp);
   if (tick) {
     for (const auto& body : bodies_) body->move(*tick);

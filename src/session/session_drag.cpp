@@ -16,7 +16,7 @@ const char* const kExpectedSpin = "expected a body that spins, got one at rest; 
 }  // namespace
 
 Eigen::Vector3d omegaPoint(const Body& body) {
-  return body.companion().frame().scale.metres_per_radian_per_second * body.state().omega_body;
+  return view::scaleInMetres(body.companion().frame()).metres_per_radian_per_second * body.state().omega_body;
 }
 
 void Session::touch(const HandleEvent& event, Nanoseconds now, const std::optional<Eigen::Vector3d>& eye,
@@ -63,7 +63,7 @@ void Session::handle(const HandleEvent& event, Nanoseconds now, const std::optio
 void Session::press(const Body& body, Nanoseconds now) {
   if (drag_.isHeld() && drag_.isOn(body.name())) return;
   endDrag();
-  drag_.press(body.name(), omegaPoint(body), clock_.paused(), now);
+  drag_.press(body.name(), omegaPoint(body), body.companion().frame().unit, clock_.paused(), now);
   clock_.pause(true);
 }
 

@@ -25,7 +25,8 @@ WITH_GRAVITY = {"top", "stand_in", "satellite"}
 PIVOT = {"top": (0, 0.1, 0.6), "stand_in": (0, 0, 0.6)}  # and the centre of mass from it
 WEIGHT = {"top": (0, 0, -1), "stand_in": (0, 0, -1)}
 UNDERSTAND = ("space/invariable_plane", "space/herpolhode", "space/montgomery", "model/polhode_family")  # of free bodies
-SURFACES = ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix")
+SURFACES = ("energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix", "axes")
+IN_ORBIT = {"satellite"}
 UNTIL = 7.0  # s
 
 
@@ -101,7 +102,7 @@ class EffectsTest(unittest.TestCase):
 
     def test_no_body_has_more_topics_than_another(self):
         wanted = {"/effects/%s/%s" % (b, t) for b in BODIES for t in ("state", "odometry", "description")}
-        of_node = {"/effects/poinsot/" + t for t in ("status", "grip/update", "grip/update_full")}
+        of_node = {"/effects/poinsot/" + t for t in ("status", "layout", "grip/update", "grip/update_full")}
         self.assertEqual(self.topics, wanted | of_node | {"/effects/markers", "/effects/markers_static"})
 
     def test_namespaces_are_those_that_effects_call_for(self):
@@ -109,11 +110,13 @@ class EffectsTest(unittest.TestCase):
         for body in BODIES:
             surfaces = {"%s/%s/%s" % (body, p, s) for p in ("space", "model") for s in SURFACES}
             of_body = {ns for ns in still if ns.startswith(body + "/")}
-            wanted = {body + "/shape", body + "/label"}
+            wanted = {body + "/shape", body + "/label", body + "/axes"}
             if body in FREE:
                 wanted |= surfaces | {body + "/space/angular_momentum", body + "/space/label"} | {"%s/%s" % (body, s) for s in UNDERSTAND}
             if body in PIVOT:
                 wanted |= {body + "/gravity"}
+            if body in IN_ORBIT:
+                wanted |= {body + "/orbit"}
             self.assertEqual(of_body, wanted)
 
             of_body = {ns for ns in moving if ns.startswith(body + "/")}
@@ -124,6 +127,8 @@ class EffectsTest(unittest.TestCase):
                 wanted |= {body + "/torque"}
             if body in WITH_GRAVITY:
                 wanted |= {body + "/gravity"}
+            if body in IN_ORBIT:
+                wanted |= {body + "/orbit"}
             self.assertEqual(of_body, wanted)
 
     def test_omega_lies_on_both_ellipsoids_as_drawn(self):

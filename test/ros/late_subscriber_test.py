@@ -17,13 +17,13 @@ from poinsot.msg import BodyDescription, BodyState  # noqa: E402
 BODIES = ("conserving", "drifting")  # the first one's method keeps L, the other's does not
 NODE = "/poinsot"
 
-PICTURE_STATIC = {"energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix"}
+PICTURE_STATIC = {"energy_ellipsoid", "momentum_ellipsoid", "polhode", "separatrix", "axes"}
 # Of free bodies, whatever method moves them.
 UNDERSTAND = {"space/invariable_plane", "space/herpolhode", "space/montgomery", "model/polhode_family"}
 
 
 def static_namespaces(body):
-    names = {body + "/shape", body + "/label"}
+    names = {body + "/shape", body + "/label", body + "/axes"}
     names |= {"%s/%s/%s" % (body, picture, what) for picture in ("space", "model") for what in PICTURE_STATIC}
     names |= {"%s/%s" % (body, what) for what in UNDERSTAND}
     return names

@@ -166,7 +166,7 @@ std::vector<std::string> bodies;
 std::set<std::string> wantedNamespaces() {
   std::set<std::string> out;
   for (const std::string& name : bodies) {
-    for (const char* part : {"shape", "label"}) out.insert(name + "/" + part);
+    for (const char* part : {"shape", "label", "axes"}) out.insert(name + "/" + part);
     for (const char* picture : {"space", "model"}) {
       for (const char* part : {"energy_ellipsoid", "momentum_ellipsoid", "polhode", "omega"}) {
         out.insert(name + "/" + picture + "/" + part);

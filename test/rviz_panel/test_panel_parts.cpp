@@ -5,16 +5,18 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "hidden_parts.h"
 #include "history.h"
 #include "momentum_camera.h"
+#include "scene_views.h"
 #include "speed_scale.h"
 #include "status.h"
 #include "text.h"
 #include "time_page.h"
-#include "view_file.h"
 #include "worker.h"
 
 namespace {
@@ -222,37 +224,51 @@ rviz::Config parsed(const char* text) {
   return config;
 }
 
-TEST(ViewFile, findsThePanelAndTheViews) {
-  const rviz::Config file = parsed(
-      "{Panels: [{Class: rviz/Displays}, {Class: poinsot/Panel, View: Riding}], "
-      "Visualization Manager: {Views: {Saved: [{Name: Riding}]}}}");
-  ASSERT_TRUE(view_file::panelOf(file));
-  QString view;
-  EXPECT_TRUE(view_file::panelOf(file)->mapGetString("View", &view));
-  EXPECT_EQ(view, "Riding");
-  EXPECT_EQ(view_file::viewsOf(file).mapGetChild("Saved").listLength(), 1);
-  EXPECT_FALSE(view_file::panelOf(parsed("{Panels: [{Class: rviz/Displays}]}")));
-  EXPECT_FALSE(view_file::panelOf(parsed("{}")));
-}
-
-TEST(ViewFile, takesNoMoreThanItSays) {
-  const rviz::Config taken = view_file::takenOf(
-      parsed("{Class: rviz/Grid, Enabled: false, Topic: elsewhere, Offset: {X: 1, Y: 2, Z: 3}, Color: 1; 2; 3}"));
-  bool enabled = true;
-  EXPECT_TRUE(taken.mapGetBool("Enabled", &enabled));
-  EXPECT_FALSE(enabled);
-  float z = 0;
-  EXPECT_TRUE(taken.mapGetChild("Offset").mapGetFloat("Z", &z));
-  EXPECT_EQ(z, 3);
-  for (const char* other : {"Class", "Topic", "Color", "Namespaces"}) {
-    EXPECT_FALSE(taken.mapGetChild(other).isValid()) << other;
+poinsot::SceneLayout layoutOfTwo() {
+  poinsot::SceneLayout out;
+  out.picture_radius = 0.5;
+  out.pitch = 0.2;
+  for (const double y : {-1.0, 3.0}) {
+    out.centres.emplace_back();
+    out.centres.back().y = y;
+    out.radii.push_back(0.5);
   }
+  out.pictures = {"wing", "wing2"};
+  return out;
 }
 
-TEST(ViewFile, isOnlyAScenesOfThisPackage) {
-  EXPECT_FALSE(view_file::read(""));
-  EXPECT_FALSE(view_file::read("no_such_scene"));
-  EXPECT_FALSE(view_file::read("../rviz/demo"));
+TEST(SceneViews, theOverviewShowsTheLayout) {
+  const rviz::Config view = scene_views::overviewOf(layoutOfTwo(), 1.6);
+  float y = 0, distance = 0, wide = 0;
+  EXPECT_TRUE(view.mapGetChild("Focal Point").mapGetFloat("Y", &y));
+  EXPECT_NEAR(y, 1, 0.01) << "the middle";
+  EXPECT_TRUE(view.mapGetFloat("Distance", &distance));
+  EXPECT_TRUE(scene_views::overviewOf(layoutOfTwo(), 3.2).mapGetFloat("Distance", &wide));
+  EXPECT_LT(wide, distance) << "a wide window shows it from nearer";
+}
+
+TEST(SceneViews, ridingIsOnTheBodysPicture) {
+  QString frame;
+  EXPECT_TRUE(scene_views::ridingOf(layoutOfTwo(), "robot/wing").mapGetString("Target Frame", &frame));
+  EXPECT_EQ(frame, "robot/wing_space_body");
+  float distance = 0;
+  EXPECT_TRUE(scene_views::alongOf(layoutOfTwo(), "wing").mapGetFloat("Distance", &distance));
+  EXPECT_NEAR(distance, 2.1, 1e-6) << "grows with the picture";
+}
+
+TEST(SceneViews, ridingLeavesOutAllButThePictureInWorldAxes) {
+  const rviz::Config hidden = scene_views::hiddenFor(layoutOfTwo(), "wing").mapGetChild("Riding");
+  std::set<std::string> names;
+  for (const char* display : {"Still", "Motion"}) {
+    const rviz::Config list = hidden.mapGetChild(display);
+    for (int i = 0; i < list.listLength(); ++i) names.insert(list.listChildAt(i).getValue().toString().toStdString());
+  }
+  EXPECT_EQ(names.count("wing/space/omega"), 0);
+  for (const char* other : {"wing/shape", "wing/model/omega", "wing2/space/omega", "wing2/label", "wing/label"}) {
+    EXPECT_EQ(names.count(other), 1) << other;
+  }
+  EXPECT_TRUE(hidden.mapGetChild("Floor").isValid());
+  EXPECT_FALSE(scene_views::hiddenFor(layoutOfTwo(), "wing").mapGetChild("Along L").mapGetChild("Floor").isValid());
 }
 
 TEST(HiddenParts, comesBackAsItWasSaved) {

@@ -89,8 +89,6 @@ class Heard : public Listener {
 class Frame : public Companion {
  public:
   Frame() {
-    frame_.layout.space_centre = frame_.layout.model_centre = Eigen::Vector3d::Zero();
-    frame_.layout.model_orientation = Eigen::Quaterniond::Identity();
     frame_.scale.metres_per_radian_per_second = 0.5;
   }
   const view::PictureFrame& frame() const override { return frame_; }

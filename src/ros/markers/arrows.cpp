@@ -24,7 +24,7 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
 
 /**
  * For a viewer at +x who looks down a little, and straight at the picture in world axes: where Ω's name stands from its
- * bead, outwards as he sees it, and before the ellipsoids also while the bead is behind them; world axes [m].
+ * bead, outwards as he sees it, and before the ellipsoids also while the bead is behind them; world axes [radii of the picture].
  */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   using namespace layout;
@@ -56,11 +56,11 @@ void appendArrow(const Subject& subject, const Eigen::Vector3d& momentum_world, 
 }  // namespace
 
 double beadSymbolDepth(const Subject& subject) {
-  double depth = 0;
+  double depth = layout::kTitleDepth;
   if (subject.polhode.branches.empty()) return depth;
-  const Eigen::Quaterniond principal_to_world = subject.frame.layout.model_orientation * subject.inertia.axes();
+  const Eigen::Quaterniond principal_to_world = subject.frame.model_orientation * subject.inertia.axes();
   for (const Eigen::Vector3d& omega : subject.polhode.branches.front().points) {
-    const Eigen::Vector3d bead = subject.metres() * (principal_to_world * omega);
+    const Eigen::Vector3d bead = subject.radii() * (principal_to_world * omega);
     const Eigen::Vector3d symbol = bead + besideBead(bead);
     const double larger = 1 + std::max(0.0, symbol.x()) / layout::kViewerDistance;
     depth = std::max(depth, layout::kBelowSymbol + larger * (layout::kLooksDown * symbol.x() - symbol.z()));
@@ -73,23 +73,30 @@ void appendSpin(const Subject& subject, const Now& now, Canvas& canvas) {
   const MarkerFactory& factory = subject.factory;
   const std::string& space = factory.frames().space;
   const std::string& model = factory.frames().model;
-  const Eigen::Vector3d tip = subject.metres() * now.state.omega_world;
+  const Eigen::Vector3d tip = subject.radii() * now.state.omega_world;
   canvas.put(
       factory.arrow(factory.ns(names::kSpace, names::kOmega), 0, space, Eigen::Vector3d::Zero(), tip, palette::kOmega));
-  // The arrow ends on the surface, where its own ellipsoids hide it: a pointer leads on to its name.
+  // The arrow ends on the surface, where its own ellipsoids hide it: a bead shows where, and a stub leads on to its
+  // name.
   const Eigen::Vector3d outwards = tip.normalized();
-  canvas.put(factory.arrow(factory.ns(kOmegaPointer), kOmegaPointer, space, tip, tip + kPointerLength * outwards,
-                           palette::kOmega));
+  Marker end = factory.marker(factory.ns(names::kSpace, names::kOmega), 1, Marker::SPHERE, space,
+                              Eigen::Vector3d::Constant(kBeadDiameter), palette::kOmega);
+  end.pose.position = toPoint(tip);
+  canvas.put(end);
+  Marker stub = factory.marker(factory.ns(kOmegaPointer), kOmegaPointer, Marker::LINE_LIST, space, {kStubWidth, 0, 0},
+                               palette::kOmega);
+  stub.points = {toPoint(tip), toPoint(tip + kPointerLength * outwards)};
+  canvas.put(stub);
   const Eigen::Vector3d beyond = tip + (kPointerLength + kBeyondPointer) * outwards;
   canvas.put(factory.text(kOmegaSymbol, space, beyond + besideOmega(tip, now.state.momentum_world), "\xCF\x89",
                           kSymbolHeight, palette::kOmega));
 
-  const Eigen::Vector3d place = subject.metres() * now.state.omega_body;
+  const Eigen::Vector3d place = subject.radii() * now.state.omega_body;
   Marker bead = factory.marker(factory.ns(names::kModel, names::kOmega), 0, Marker::SPHERE, model,
                                Eigen::Vector3d::Constant(kBeadDiameter), palette::kOmega);
   bead.pose.position = toPoint(place);
   canvas.put(bead);
-  const Eigen::Quaterniond& to_world = subject.frame.layout.model_orientation;
+  const Eigen::Quaterniond& to_world = subject.frame.model_orientation;
   canvas.put(factory.text(kModelOmegaSymbol, model, place + to_world.conjugate() * besideBead(to_world * place),
                           "\xCE\xA9", kSymbolHeight, palette::kOmega));
 }

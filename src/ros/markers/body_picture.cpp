@@ -6,6 +6,7 @@
 #include "markers/layout.h"
 #include "markers/parts.h"
 #include "poinsot/ros/conversions.h"
+#include "poinsot/view/facing.h"
 
 namespace poinsot::node {
 namespace {
@@ -43,7 +44,8 @@ void add(Parts& list, void (*append)(Arguments...)) {
 /** E and MΩ are constant, and so are the ellipsoids and curves. At rest there are none. */
 void addFree(const Subject& subject, const Motion& motion, Parts& list) {
   if (subject.start.omega_body.isZero(0)) return;
-  for (const Still still : {appendPictureTitles, appendConstruction, appendPolhodeFamily, appendRolling, appendCones}) {
+  for (const Still still : {appendPictureTitles, appendEllipsoidNames, appendConstruction, appendPolhodeFamily,
+                            appendRolling, appendCones, appendFlight}) {
     add(list, still);
   }
   add(list, appendSpin);
@@ -58,28 +60,34 @@ void addFree(const Subject& subject, const Motion& motion, Parts& list) {
 /** Ellipsoids and curves are those of the moment, and move. */
 void addTorqued(const Subject& subject, const Motion& motion, Parts& list) {
   add(list, appendPictureTitles);
+  add(list, appendEllipsoidNames);
   add(list, appendTorquedMomentum);
   list.push_back(makePath(!isPushed(motion)));
   list.push_back(makeTorquedConstruction());
   if (isPushed(motion)) add(list, appendTorque);
   if (subject.weight) {
     add(list, appendPivot);
-    if (!subject.weight->centre_of_mass.isZero(0)) list.push_back(makeWay());
+    if (!subject.weight->centre_of_mass.isZero(0)) list.push_back(makeWay(subject));
     add(list, appendWeight);
   }
-  if (motion.torques()->gradient()) add(list, appendOrbit);
+  if (subject.orbit) {
+    add(list, appendPlanet);
+    add(list, appendOrbit);
+  }
 }
 
 Parts partsOf(const Subject& subject, const Motion& motion) {
   Parts list;
-  list.push_back(makeWords(subject, motion.setup()));
   add(list, appendShape);
+  if (subject.wanted == scene::Pictures::none) return list;
+  list.push_back(makeWords(subject, motion.setup()));
   add(list, appendBodyTitle);
+  add(list, appendBodyAxes);
   (motion.torques() ? addTorqued : addFree)(subject, motion, list);
   return list;
 }
 
-/** Sets how the pictures stand and how large they are. */
+/** Sets how the pictures are turned, and how large what they show is drawn. */
 void layOut(Subject& subject, const Motion& motion, BodyPicture::Detail detail) {
   view::PictureFrame& out = subject.frame;
   if (motion.torques() && detail == BodyPicture::Detail::pictures) {
@@ -87,11 +95,8 @@ void layOut(Subject& subject, const Motion& motion, BodyPicture::Detail detail) 
     out.scale = view::pictureScale(out.bounds.semi_axis, out.bounds.momentum);
   }
   const PrincipalInertia& inertia = subject.inertia;
-  out.layout = view::layoutOf(subject.start.position, subject.reach, inertia.moments(), inertia.axes(), subject.polhode,
-                              subject.omega_principal, inertia.toPrincipal(out.bounds.omega_later));
-  out.title_depth =
-      std::max({layout::kTitleDepth, subject.reach + layout::kBelowShape,
-                std::min(effectsDepth(subject, motion), layout::kDeepestTitle), beadSymbolDepth(subject)});
+  out.model_orientation = view::facingTheViewer(inertia.moments(), inertia.axes(), subject.polhode,
+                                                subject.omega_principal, inertia.toPrincipal(out.bounds.omega_later));
 }
 
 }  // namespace
@@ -101,6 +106,7 @@ BodyPicture::BodyPicture(const scene::Body& body, const Motion& motion, const na
     : subject_(std::make_unique<Subject>(body, motion, frames)) {
   if (keep) {
     subject_->frame = *keep;
+    setUnits(canvas_);
   } else {
     layOut(*subject_, motion, detail);
   }
@@ -113,9 +119,46 @@ const view::PictureFrame& BodyPicture::frame() const {
   return subject_->frame;
 }
 
+bool BodyPicture::hasPictures() const {
+  return subject_->wanted != scene::Pictures::none;
+}
+
+void BodyPicture::setUnits(Canvas& canvas) const {
+  const view::PictureFrame& frame = subject_->frame;
+  canvas.setUnits(subject_->factory.frames(), frame.unit, frame.text, frame.light_background);
+}
+
+view::BodyExtent BodyPicture::extent(const SceneFacts& scene) const {
+  return extentOf(*subject_, scene);
+}
+
+void BodyPicture::place(const view::BodyPlace& place, const view::SceneLayout& layout, const SceneFacts& scene) {
+  view::PictureFrame& frame = subject_->frame;
+  frame.place = place;
+  frame.unit = layout.unit;
+  frame.text = layout.text;
+  frame.loop = scene.loop;
+  still_.clear();
+  frame.light_background = scene.light_background;
+  setUnits(canvas_);
+}
+
+void BodyPicture::faceViewer() {
+  view::PictureFrame& frame = subject_->frame;
+  if (!view::isBehind(frame, subject_->start.omega_body)) return;
+  const PrincipalInertia& inertia = subject_->inertia;
+  frame.model_orientation =
+      view::facingTheViewer(inertia.moments(), inertia.axes(), subject_->polhode, subject_->omega_principal);
+}
+
+double BodyPicture::reach() const {
+  return subject_->reach;
+}
+
 void BodyPicture::appendStatic(MarkerArray& out) const {
   if (still_.empty()) {
     Canvas canvas;
+    setUnits(canvas);
     for (const auto& part : parts_) part->appendStatic(*subject_, canvas);
     still_ = canvas.take();
   }
@@ -146,6 +189,15 @@ void BodyPicture::clearTrail() {
 
 void BodyPicture::sendAllNext() {
   for (const auto& part : parts_) part->sendAllNext();
+}
+
+view::SceneLayout layOutScene(const std::vector<BodyPicture*>& pictures, SceneFacts scene) {
+  scene.bodies = pictures.size();
+  std::vector<view::BodyExtent> extents;
+  for (const BodyPicture* picture : pictures) extents.push_back(picture->extent(scene));
+  view::SceneLayout layout = view::sceneLayoutOf(extents);
+  for (std::size_t i = 0; i < pictures.size(); ++i) pictures[i]->place(layout.bodies[i], layout, scene);
+  return layout;
 }
 
 }  // namespace poinsot::node

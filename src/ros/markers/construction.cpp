@@ -17,10 +17,10 @@ constexpr session::Nanoseconds kCurvesPause = session::kSecond / 4;
 
 void appendEllipsoids(const Subject& subject, const Picture& picture, double kinetic_energy, double momentum_squared,
                       Canvas& canvas) {
-  const double metres = subject.metres();
+  const double radii = subject.radii();
   const Eigen::Vector3d& moments = subject.inertia.moments();
   const auto put = [&](const char* what, const Eigen::Vector3d& semi_axes, const std_msgs::ColorRGBA& colour) {
-    const Eigen::Vector3d diameters = 2 * metres * semi_axes;
+    const Eigen::Vector3d diameters = 2 * radii * semi_axes;
     Marker m = locked(subject.factory.marker(subject.factory.ns(picture.name, what), 0, Marker::SPHERE,
                                              picture.body_frame, diameters, colour));
     m.pose.orientation = toQuaternion(subject.inertia.axes());
@@ -38,7 +38,7 @@ void appendCurves(const Subject& subject, const Picture& picture, const view::Po
   const auto put = [&](const char* what, std::size_t id, const view::Curve& curve, double lift, double width,
                        const std_msgs::ColorRGBA& colour) {
     Marker m = subject.factory.curve(subject.factory.ns(picture.name, what), static_cast<int>(id), picture.body_frame,
-                                     curve, lift * subject.metres(), width, 2 * width, colour);
+                                     curve, lift * subject.radii(), width, 2 * width, colour);
     m.pose.orientation = toQuaternion(subject.inertia.axes());
     canvas.put(m);
   };
@@ -51,6 +51,27 @@ void appendCurves(const Subject& subject, const Picture& picture, const view::Po
   }
 }
 
+/** Puts the ends of the principal axes beyond the ellipsoids, in the colours of the axes. */
+void appendAxes(const Subject& subject, const Picture& picture, double kinetic_energy, double momentum_squared,
+                Canvas& canvas) {
+  constexpr double kPin = 0.13;
+  const Eigen::Vector3d& moments = subject.inertia.moments();
+  const Eigen::Vector3d surface =
+      subject.radii() * view::energySemiAxes(moments, kinetic_energy)
+                            .cwiseMax(view::momentumSemiAxes(moments, momentum_squared));
+  Marker m = locked(subject.factory.marker(subject.factory.ns(picture.name, names::kAxes), 0, Marker::LINE_LIST,
+                                           picture.body_frame, {layout::kAxisWidth, 0, 0}, palette::kPolhode));
+  m.pose.orientation = toQuaternion(subject.inertia.axes());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double end : {1.0, -1.0}) {
+      m.points.push_back(toPoint(end * surface[axis] * Eigen::Vector3d::Unit(axis)));
+      m.points.push_back(toPoint(end * (surface[axis] + kPin) * Eigen::Vector3d::Unit(axis)));
+      m.colors.insert(m.colors.end(), 2, palette::kAxes[axis]);
+    }
+  }
+  canvas.put(m);
+}
+
 void appendLines(const Subject& subject, int id, const std::vector<view::Curve>& curves, double width,
                  const std_msgs::ColorRGBA& colour, Canvas& canvas) {
   if (curves.empty()) return;
@@ -58,7 +79,7 @@ void appendLines(const Subject& subject, int id, const std::vector<view::Curve>&
   Marker m = locked(factory.marker(factory.ns(names::kModel, names::kPolhodeFamily), id, Marker::LINE_LIST,
                                    factory.frames().model, {width, 0, 0}, colour));
   m.pose.orientation = toQuaternion(subject.inertia.axes());
-  const double lifted = layout::kFamilyLift * subject.metres();
+  const double lifted = layout::kFamilyLift * subject.radii();
   for (const view::Curve& curve : curves) {
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       m.points.push_back(toPoint(lifted * curve.points[i]));
@@ -75,7 +96,7 @@ class TorquedConstruction : public Part {
     const Eigen::Vector3d omega = subject.inertia.toPrincipal(now.state.omega_body);
     // Of the body alone, without the slug that may be inside: Ω lies on these.
     const Eigen::Vector3d momentum = moments.cwiseProduct(omega);
-    if (!(subject.metres() * momentum.norm() / moments.minCoeff() > layout::kLeastPicture))
+    if (!(subject.radii() * momentum.norm() / moments.minCoeff() > layout::kLeastPicture))
       return remove(subject, canvas);
 
     const double kinetic_energy = 0.5 * momentum.dot(omega), momentum_squared = momentum.squaredNorm();
@@ -95,7 +116,10 @@ class TorquedConstruction : public Part {
       canvas.remove(subject.factory.ns(picture.name, names::kPolhode), branches);
       canvas.remove(subject.factory.ns(picture.name, names::kSeparatrix), static_cast<int>(separatrix.size()));
     }
-    for (const Picture& picture : subject.pictures()) appendCurves(subject, picture, polhode, separatrix, canvas);
+    for (const Picture& picture : subject.pictures()) {
+      appendCurves(subject, picture, polhode, separatrix, canvas);
+      appendAxes(subject, picture, kinetic_energy, momentum_squared, canvas);
+    }
   }
 
   void sendAllNext() override { curves_.reset(); }
@@ -104,7 +128,8 @@ class TorquedConstruction : public Part {
   void remove(const Subject& subject, Canvas& canvas) {
     for (const Picture& picture : subject.pictures()) {
       for (const char* what :
-           {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix, names::kOmega}) {
+           {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix, names::kOmega,
+                               names::kAxes}) {
         canvas.remove(subject.factory.ns(picture.name, what), 0);
       }
     }
@@ -127,6 +152,7 @@ void appendConstruction(const Subject& subject, Canvas& canvas) {
   for (const Picture& picture : subject.pictures()) {
     appendEllipsoids(subject, picture, start.kinetic_energy, start.momentum_world.squaredNorm(), canvas);
     appendCurves(subject, picture, subject.polhode, separatrix, canvas);
+    appendAxes(subject, picture, start.kinetic_energy, start.momentum_world.squaredNorm(), canvas);
   }
 }
 

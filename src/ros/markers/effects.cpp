@@ -15,34 +15,44 @@ namespace {
 
 constexpr double kHiddenShare = 0.5;  // of the body's reach: shorter arrows end unseen inside it
 constexpr double kMostBeyond = 1.2;   // times the length of the largest torque that was expected
-constexpr double kPivotDiameter = 0.13;
+constexpr double kPivotDiameter = 0.13;  // times the reach of the body
 constexpr double kRodDiameter = 0.05;
-constexpr double kWayLength = 9;  // m
+constexpr double kWayLength = 9;  // times the reach of the body
 constexpr double kWaySpacing = 0.02;
 constexpr double kWayWidth = 0.022;
 
-// Ids within <body>/torque and <body>/gravity.
+// Of the picture of an orbit, in radii of a picture.
+constexpr double kPlanetRadius = 0.42, kOrbitRadius = 1.05, kOnOrbitReach = 0.42;
+constexpr int kOrbitPieces = 72;
+
+// Ids within <body>/orbit, <body>/torque and <body>/gravity.
+enum OrbitId { kPlanet, kOrbitLine, kOnOrbit };
 enum TorqueId { kAtBody, kAtMomentum };
 enum GravityId { kPivot, kRod, kWeight, kToCentre, kWay };
 
-/** Returns a place beyond the tip of an arrow; beside the tip where the arrow points at a viewer at +x. */
-Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) {
+/** Returns a place so far beyond the tip of an arrow; beside the tip where the arrow points at a viewer at +x. */
+Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction, double distance) {
   const Eigen::Vector3d seen(0, direction.y(), direction.z());
   const Eigen::Vector3d to_side = seen.norm() > 0.3 ? seen.normalized() : Eigen::Vector3d(0, -0.7, 0.7);
-  return tip + layout::kBesideEffect * to_side;
+  return tip + distance * to_side;
 }
 
 /** Puts an arrow in <body>/gravity, and its name. */
-void putGravity(const MarkerFactory& factory, GravityId id, LabelId symbol_id, const Eigen::Vector3d& from,
+void putGravity(const Subject& subject, GravityId id, LabelId symbol_id, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& direction, double length, const char* symbol, Canvas& canvas) {
+  const MarkerFactory& factory = subject.factory;
   const Eigen::Vector3d tip = from + length * direction;
   canvas.put(factory.arrow(factory.ns(names::kGravity), id, names::kWorld, from, tip, palette::kGravity));
-  canvas.put(
-      factory.text(symbol_id, names::kWorld, beyond(tip, direction), symbol, layout::kSymbolHeight, palette::kGravity));
+  canvas.put(factory.text(symbol_id, names::kWorld,
+                          beyond(tip, direction, layout::kBesideEffect * subject.frame.text * subject.unit()), symbol,
+                          layout::kSymbolHeight, palette::kGravity));
 }
 
 class Way : public Part {
  public:
+  explicit Way(double reach)
+      : way_(static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength * reach, kWaySpacing * reach) {}
+
   void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
     const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
     way_.add(now.state.position + now.state.attitude * (centre + subject.shape_radius * centre.stableNormalized()));
@@ -55,7 +65,7 @@ class Way : public Part {
   void clearTrail() override { way_.clear(); }
 
  private:
-  view::Trail way_{static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength, kWaySpacing};  ///< world axes
+  view::Trail way_;  ///< world axes
 };
 
 }  // namespace
@@ -66,48 +76,39 @@ bool isPushed(const Motion& motion) {
                      [](const Effect& effect) { return !std::holds_alternative<InternalDissipation>(effect); });
 }
 
-double effectsDepth(const Subject& subject, const Motion& motion) {
-  using namespace layout;
-  if (motion.torques() && motion.torques()->gradient())
-    return subject.reach + kOrbitBeyond + 3 * kBesideEffect;  // a word
-  if (subject.weight) {
-    return subject.weight->centre_of_mass.norm() + subject.shape_radius + kWeightBeyond + 2 * kBesideEffect;
-  }
-  return isPushed(motion) ? subject.reach + kTorqueBeyond + 2 * kBesideEffect : 0;
-}
-
 void appendTorque(const Subject& subject, const Now& now, Canvas& canvas) {
   const MarkerFactory& factory = subject.factory;
   const std::string ns = factory.ns(names::kTorque);
   const double expected = subject.frame.bounds.torque;
   const Eigen::Vector3d torque_world = view::externalTorque(now.motion, now.state);
   const auto draw = [&](TorqueId id, LabelId symbol_id, const std::string& frame, const Eigen::Vector3d& from,
-                        double longest, double hidden) {
+                        double longest, double hidden, double unit) {
     Eigen::Vector3d way = Eigen::Vector3d::Zero();
     if (expected > 0) way = longest * (torque_world / expected);
     // A torque beyond what was expected would leave the picture.
     if (way.norm() > kMostBeyond * longest) way *= kMostBeyond * longest / way.norm();
-    const bool drawn = way.norm() > layout::kLeastTorque && way.allFinite();
+    const bool drawn = way.norm() > layout::kLeastTorque * unit && way.allFinite();
     canvas.show(drawn, factory.arrow(ns, id, frame, from, from + way, palette::kTorque));
     // No name where the arrow ends inside the body.
-    canvas.show(drawn && way.norm() >= hidden, factory.text(symbol_id, frame, beyond(from + way, way.normalized()),
-                                                            "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
+    const Eigen::Vector3d symbol = beyond(from + way, way.normalized(), layout::kBesideEffect * subject.frame.text * unit);
+    canvas.show(drawn && way.norm() >= hidden,
+                factory.text(symbol_id, frame, symbol, "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
   };
-  draw(kAtBody, kTorqueSymbol, names::kWorld, now.state.position, subject.reach + layout::kTorqueBeyond,
-       kHiddenShare * subject.reach);
+  draw(kAtBody, kTorqueSymbol, names::kWorld, now.state.position,
+       subject.reach + layout::kTorqueBeyond * subject.unit(), kHiddenShare * subject.reach, subject.unit());
   draw(kAtMomentum, kTorqueAtMomentumSymbol, factory.frames().space,
-       subject.frame.scale.metres_per_angular_momentum * now.state.momentum_world, layout::kTorqueAtMomentum, 0);
+       subject.frame.scale.metres_per_angular_momentum * now.state.momentum_world, layout::kTorqueAtMomentum, 0, 1);
 }
 
 void appendPivot(const Subject& subject, Canvas& canvas) {
   const MarkerFactory& factory = subject.factory;
   const std::string ns = factory.ns(names::kGravity);
   canvas.put(locked(factory.marker(ns, kPivot, Marker::SPHERE, factory.frames().body,
-                                   Eigen::Vector3d::Constant(kPivotDiameter), palette::kPivot)));
+                                   Eigen::Vector3d::Constant(kPivotDiameter * subject.reach), palette::kPivot)));
   const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
   if (centre.isZero(0)) return;
   Marker rod = locked(factory.marker(ns, kRod, Marker::CYLINDER, factory.frames().body,
-                                     {kRodDiameter, kRodDiameter, centre.norm()}, palette::kPivot));
+                                     {kRodDiameter * subject.reach, kRodDiameter * subject.reach, centre.norm()}, palette::kPivot));
   rod.pose.position = toPoint(0.5 * centre);
   rod.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), centre));
   canvas.put(rod);
@@ -116,18 +117,47 @@ void appendPivot(const Subject& subject, Canvas& canvas) {
 void appendWeight(const Subject& subject, const Now& now, Canvas& canvas) {
   const GravityTorque& weight = *subject.weight;
   if (weight.gravity.isZero(0)) return;
-  putGravity(subject.factory, kWeight, kWeightSymbol, now.state.position + now.state.attitude * weight.centre_of_mass,
-             weight.gravity.stableNormalized(), subject.shape_radius + layout::kWeightBeyond, "mg", canvas);
+  putGravity(subject, kWeight, kWeightSymbol, now.state.position + now.state.attitude * weight.centre_of_mass,
+             weight.gravity.stableNormalized(), subject.shape_radius + layout::kWeightBeyond * subject.unit(), "mg", canvas);
 }
 
 void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas) {
-  putGravity(subject.factory, kToCentre, kOrbitSymbol, now.state.position,
-             -now.motion.torques()->gradient()->radialAt(now.state.time), subject.reach + layout::kOrbitBeyond,
+  putGravity(subject, kToCentre, kOrbitSymbol, now.state.position,
+             -now.motion.torques()->gradient()->radialAt(now.state.time), subject.reach + layout::kOrbitBeyond * subject.unit(),
              "centre", canvas);
+  const Eigen::Vector3d place = subject.frame.place.orbit_centre +
+                                kOrbitRadius * subject.unit() * now.motion.torques()->gradient()->radialAt(now.state.time);
+  int id = kOnOrbit;
+  for (Marker& marker : copyOf(subject, place, now.state.attitude, kOnOrbitReach * subject.unit() / subject.reach)) {
+    marker.ns = subject.factory.ns(names::kOrbit);
+    marker.id = id++;
+    canvas.put(marker);
+  }
 }
 
-std::unique_ptr<Part> makeWay() {
-  return std::make_unique<Way>();
+void appendPlanet(const Subject& subject, Canvas& canvas) {
+  const MarkerFactory& factory = subject.factory;
+  const std::string ns = factory.ns(names::kOrbit);
+  const double unit = subject.unit();
+  const Eigen::Vector3d& centre = subject.frame.place.orbit_centre;
+  Marker planet = factory.marker(ns, kPlanet, Marker::SPHERE, names::kWorld,
+                                 Eigen::Vector3d::Constant(2 * kPlanetRadius * unit), palette::kPlanet);
+  planet.pose.position = toPoint(centre);
+  canvas.put(planet);
+  Marker orbit =
+      factory.marker(ns, kOrbitLine, Marker::LINE_STRIP, names::kWorld, {layout::kPathWidth, 0, 0}, palette::kFlight);
+  for (int i = 0; i <= kOrbitPieces; ++i) {
+    const Eigen::Vector3d radial = subject.orbit->radialAt(2 * M_PI * i / (kOrbitPieces * subject.orbit->rate));
+    orbit.points.push_back(toPoint(centre + kOrbitRadius * unit * radial));
+  }
+  canvas.put(orbit);
+  canvas.put(factory.text(kOrbitTitle, names::kWorld,
+                          subject.belowTitle(centre, subject.frame.place.picture_title_depth, 0), "on its orbit",
+                          layout::kTitleHeight));
+}
+
+std::unique_ptr<Part> makeWay(const Subject& subject) {
+  return std::make_unique<Way>(subject.reach);
 }
 
 }  // namespace poinsot::node::parts

@@ -13,6 +13,7 @@ namespace {
 
 constexpr session::Nanoseconds kFiguresPause = session::kSecond / 4;  // slow enough to be read
 constexpr session::Nanoseconds kFlipsPause = session::kSecond / 10;
+constexpr double kPlainDrift = 1e-3;  // from here on, the ratio of the energies itself can be read
 
 std::string methodOf(const MotionSetup& setup) {
   if (!setup.step) return setup.method;
@@ -34,11 +35,14 @@ std::string flipsInWords(const view::Flips& flips, bool only_one) {
 std::string comparisonInWords(const Figures& figures) {
   if (std::isnan(figures.attitude_error)) return formatted("\nenergy %.4g J", figures.kinetic_energy);
   return formatted("\nattitude error %.1e rad", figures.attitude_error) +
-         formatted("\nenergy drift %+.1e", figures.energy_drift);
+         (std::abs(figures.energy_drift) < kPlainDrift ? formatted("\nE/E0 = 1 %+.1e", figures.energy_drift)
+                                                       : formatted("\nE/E0 = %.4f", 1 + figures.energy_drift));
 }
 
+/** @param depth below the title [heights of letters]. */
 Marker labelOf(const Subject& subject, LabelId id, double depth, const std::string& words, double height) {
-  return subject.factory.text(id, names::kWorld, subject.belowTitle(subject.start.position, depth), words, height);
+  const Eigen::Vector3d place = subject.belowTitle(subject.start.position, subject.frame.place.title_depth, depth);
+  return subject.factory.text(id, names::kWorld, place, words, height);
 }
 
 class Words : public Part {
@@ -87,9 +91,13 @@ class Words : public Part {
   Cadence figures_cadence_{kFiguresPause}, flips_cadence_{kFlipsPause};
 };
 
-void appendTitle(const Subject& subject, LabelId id, const std::string& frame, const Eigen::Vector3d& centre,
-                 const std::string& words, Canvas& canvas) {
-  canvas.put(subject.factory.text(id, frame, subject.belowTitle(centre, 0), words, layout::kTitleHeight));
+void appendPictureTitle(const Subject& subject, LabelId id, const Eigen::Vector3d& centre, const std::string& words,
+                        Canvas& canvas) {
+  const view::BodyPlace& place = subject.frame.place;
+  if (place.titles == view::PictureTitles::none) return;
+  const std::string whose = place.titles == view::PictureTitles::named ? subject.name + " " : "";
+  canvas.put(subject.factory.text(id, names::kWorld, subject.belowTitle(centre, place.picture_title_depth, 0),
+                                  whose + words, layout::kTitleHeight));
 }
 
 }  // namespace
@@ -101,13 +109,25 @@ std::string formatted(const char* format, double value) {
 }
 
 void appendBodyTitle(const Subject& subject, Canvas& canvas) {
-  appendTitle(subject, kBodyTitle, names::kWorld, subject.start.position, subject.name, canvas);
+  canvas.put(labelOf(subject, kBodyTitle, 0, subject.name, layout::kTitleHeight));
 }
 
 void appendPictureTitles(const Subject& subject, Canvas& canvas) {
-  const std::string& space = subject.factory.frames().space;
-  appendTitle(subject, kSpaceTitle, space, Eigen::Vector3d::Zero(), "in world axes", canvas);
-  appendTitle(subject, kModelTitle, names::kWorld, subject.frame.layout.model_centre, "in body axes", canvas);
+  const view::BodyPlace& place = subject.frame.place;
+  appendPictureTitle(subject, kSpaceTitle, place.space_centre, "in world axes", canvas);
+  appendPictureTitle(subject, kModelTitle, place.model_centre, "in body axes", canvas);
+}
+
+void appendEllipsoidNames(const Subject& subject, Canvas& canvas) {
+  const view::BodyPlace& place = subject.frame.place;
+  if (!place.shows_world) return;  // there, the words below the picture in body axes have the room
+  const auto put = [&](LabelId id, const char* words, double to_the_right, const std_msgs::ColorRGBA& colour) {
+    Eigen::Vector3d at = subject.belowTitle(place.space_centre, place.picture_title_depth, layout::kNamesDepth);
+    at.y() += to_the_right * subject.frame.text * subject.unit();
+    canvas.put(subject.factory.text(id, names::kWorld, at, words, layout::kNamesHeight, colour));
+  };
+  put(kEnergyName, "energy", -layout::kNamesApart, palette::kEnergy);
+  put(kMomentumName, "momentum", layout::kNamesApart, palette::kMomentumName);
 }
 
 std::unique_ptr<Part> makeWords(const Subject& subject, const MotionSetup& setup) {

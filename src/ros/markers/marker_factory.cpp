@@ -45,7 +45,7 @@ Marker MarkerFactory::text(LabelId id, const std::string& frame, const Eigen::Ve
 
 Marker MarkerFactory::arrow(const std::string& ns, int id, const std::string& frame, const Eigen::Vector3d& from,
                             const Eigen::Vector3d& tip, const std_msgs::ColorRGBA& colour) const {
-  constexpr double kShaft = 0.045, kHead = 0.115, kHeadLength = 0.17;  // m
+  constexpr double kShaft = 0.045, kHead = 0.115, kHeadLength = 0.17;
   Marker out = marker(ns, id, Marker::ARROW, frame, {kShaft, kHead, kHeadLength}, colour);
   out.points = {toPoint(from), toPoint(tip)};
   return out;

@@ -27,9 +27,12 @@ enum LabelId {
   kWeightSymbol,
   kOrbitSymbol,
   kFlips,
-  kTurn
+  kTurn,
+  kEnergyName,
+  kMomentumName,
+  kOrbitTitle
 };
-constexpr int kLabelIds = kTurn + 1;
+constexpr int kLabelIds = kOrbitTitle + 1;
 constexpr int kTrailIds = 65;  ///< in <body>/trail: the newest stretch, and 64 pieces of a path under torques
 constexpr int kCurveIds = 4;   ///< of a polhode and of a separatrix: their branches
 

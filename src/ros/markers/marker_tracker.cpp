@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "markers/marker_factory.h"
+#include "poinsot/ros/markers/palette.h"
 #include "poinsot/ros/names.h"
 
 namespace poinsot::node {
@@ -23,8 +24,21 @@ Marker deletion(const MarkerKey& key, const std::string& frame) {
   return out;
 }
 
+/** Whether the scale of a marker is the width of what its points give. */
+bool hasWidth(const Marker& marker) {
+  return marker.type == Marker::ARROW || marker.type == Marker::LINE_STRIP || marker.type == Marker::LINE_LIST;
+}
+
+template <class Vector>
+void multiply(Vector& vector, double factor) {
+  vector.x *= factor;
+  vector.y *= factor;
+  vector.z *= factor;
+}
+
 constexpr int kParts = 16;  // of a shape; those of a node that has ended and drew more stay where they are
 constexpr int kEffectIds = 5;
+constexpr int kMostGhosts = 40;
 constexpr std::size_t kMostCleared = 100;  // bodies
 
 }  // namespace
@@ -33,12 +47,15 @@ std::map<std::string, int> markerSpaces(const std::string& body) {
   using namespace names;
   std::map<std::string, int> out = {{markers(body, kShape), kParts},       {markers(body, kTrail), kTrailIds},
                                     {markers(body, kLabel), kLabelIds},    {markers(body, kTorque), kEffectIds},
-                                    {markers(body, kGravity), kEffectIds}, {markers(body, kSpace, kLabel), kLabelIds}};
+                                    {markers(body, kGravity), kEffectIds}, {markers(body, kSpace, kLabel), kLabelIds},
+                                    {markers(body, kAxes), 1},             {markers(body, kPath), 1},
+                                    {markers(body, kGhosts), kMostGhosts}, {markers(body, kOrbit), 2 + kParts}};
   const auto add = [&](const char* picture, int ids, std::initializer_list<const char*> whats) {
     for (const char* what : whats) out[markers(body, picture, what)] = ids;
   };
   for (const char* picture : {kSpace, kModel}) {
-    add(picture, 1, {kEnergyEllipsoid, kMomentumEllipsoid, kOmega});
+    add(picture, 1, {kEnergyEllipsoid, kMomentumEllipsoid, kAxes});
+    add(picture, 2, {kOmega});
     add(picture, kCurveIds, {kPolhode, kSeparatrix});
   }
   add(kSpace, 1, {kAngularMomentum, kHerpolhode, kInvariablePlane, kMontgomery});
@@ -47,9 +64,28 @@ std::map<std::string, int> markerSpaces(const std::string& body) {
   return out;
 }
 
+void Canvas::setUnits(const names::Frames& frames, double unit, double text, bool light) {
+  picture_frames_ = {frames.space, frames.space_body, frames.model};
+  unit_ = unit;
+  text_ = text;
+  light_ = light;
+}
+
 void Canvas::put(const Marker& marker) {
   there_[{marker.ns, marker.id}] = marker.header.frame_id;
   markers_.push_back(marker);
+  Marker& out = markers_.back();
+  const bool in_picture = picture_frames_.count(out.header.frame_id) > 0;
+  if (in_picture) {
+    multiply(out.pose.position, unit_);
+    for (geometry_msgs::Point& point : out.points) multiply(point, unit_);
+  }
+  if (out.type == Marker::TEXT_VIEW_FACING) {
+    out.scale.z *= unit_ * text_;
+    out.color = palette::asText(out.color, light_);
+  } else if (out.type != Marker::TRIANGLE_LIST && (in_picture || hasWidth(out))) {
+    multiply(out.scale, unit_);
+  }
 }
 
 void Canvas::show(bool shown, const Marker& marker) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "markers/part.h"
 
@@ -21,7 +22,23 @@ void appendShape(const Subject& subject, Canvas& canvas);
 void appendBodyTitle(const Subject& subject, Canvas& canvas);
 void appendPictureTitles(const Subject& subject, Canvas& canvas);
 
-/** A free body's two ellipsoids, and the curves on them, in both pictures. */
+/** The names of the ellipsoids, in their colours, below the picture in world axes. */
+void appendEllipsoidNames(const Subject& subject, Canvas& canvas);
+
+/** The ends of the body's principal axes, outside of its shape, in the colours of the axes 1, 2 and 3. */
+void appendBodyAxes(const Subject& subject, Canvas& canvas);
+
+/**
+ * Returns the body's shape once more, in another size: markers in the world's frame, without namespaces.
+ * @param position of its origin [m]. @param attitude body axes → world.
+ */
+std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& position, const Eigen::Quaterniond& attitude,
+                           double size);
+
+/** The path that a body flies, and the body as it is at some times on it, where the scene plays in rounds. */
+void appendFlight(const Subject& subject, Canvas& canvas);
+
+/** A free body's two ellipsoids, the ends of its axes, and the curves on the ellipsoids, in both pictures. */
 void appendConstruction(const Subject& subject, Canvas& canvas);
 
 /**
@@ -69,8 +86,11 @@ void appendTorque(const Subject& subject, const Now& now, Canvas& canvas);
 /** The weight of a body on a pivot as an arrow from its centre of mass. */
 void appendWeight(const Subject& subject, const Now& now, Canvas& canvas);
 
-/** The way to the centre of the body's orbit. */
+/** The way to the centre of the body's orbit; and in a picture of its own, the body on its way round the planet. */
 void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas);
+
+/** What stands still of that picture: the planet and the orbit, neither to scale. */
+void appendPlanet(const Subject& subject, Canvas& canvas);
 
 // What moves, and remembers.
 
@@ -96,15 +116,18 @@ std::unique_ptr<Part> makeTorquedConstruction();
  * The way that the far end of a heavy body's line from the pivot through its centre of mass has gone in the world,
  * where a top draws its loops.
  */
-std::unique_ptr<Part> makeWay();
+std::unique_ptr<Part> makeWay(const Subject& subject);
 
 // For the layout.
 
-/** How far below the picture in body axes a title is clear of Ω's name, wherever on the polhode that is [m]. */
+/** How far below the picture in body axes a title is clear of Ω's name, wherever on the polhode that is [radii]. */
 double beadSymbolDepth(const Subject& subject);
 
-/** How far the arrows of effects may reach from the body's origin, downwards [m]; 0 where there are none. */
-double effectsDepth(const Subject& subject, const Motion& motion);
+/** What the layout of the scene needs to know of the body. */
+view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene);
+
+/** The balls that hold a body on a pivot in its first 20 s, or as far as few steps lead. */
+std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion);
 
 /** Whether effects turn the body as a whole. One that only moves momentum about inside has no part. */
 bool isPushed(const Motion& motion);

@@ -13,7 +13,7 @@
 namespace poinsot::node::parts {
 namespace {
 
-// Lengths in metres.
+// Lengths in radii of the picture.
 constexpr double kLeastPlaneRadius = 0.5;
 constexpr double kBeyondHerpolhode = 0.22;
 constexpr double kHerpolhodeWidth = 0.009;
@@ -29,7 +29,7 @@ constexpr double kWholeTurn = 360 * kDegree;
 // Of the cones.
 constexpr int kFacets = 48;
 constexpr int kFacetsPerLine = 4;
-constexpr double kConeBeyond = 0.45;  // m, of the mantles beyond the tip of ω, which is on the ellipsoids
+constexpr double kConeBeyond = 0.45;  // of the mantles beyond the tip of ω, which is on the ellipsoids
 constexpr double kConeLineWidth = 0.012;
 
 /** Whole turns and the rest, in words. */
@@ -43,7 +43,7 @@ Marker discOf(const Subject& subject, const view::InvariablePlane& plane, double
   const MarkerFactory& factory = subject.factory;
   Marker m = locked(factory.marker(factory.ns(names::kSpace, names::kInvariablePlane), 0, Marker::TRIANGLE_LIST,
                                    factory.frames().space, {1, 1, 1}, palette::kInvariablePlane));
-  m.pose.position = toPoint(subject.metres() * plane.distance * plane.normal);
+  m.pose.position = toPoint(subject.radii() * plane.distance * plane.normal);
   m.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), plane.normal));
   const auto rim = [radius](int i) {
     const double angle = kWholeTurn * i / kDiscPieces;
@@ -87,7 +87,7 @@ void appendRolling(const Subject& subject, Canvas& canvas) {
   if (plane.normal.isZero(0)) return;
   const MarkerFactory& factory = subject.factory;
   const std::string& space = factory.frames().space;
-  const double metres = subject.metres();
+  const double metres = subject.radii();
   const view::Herpolhode herpolhode = view::herpolhode(motion);
   const double outer = metres * herpolhode.outer;
   canvas.put(discOf(subject, plane, std::max(kLeastPlaneRadius, outer + kBeyondHerpolhode)));
@@ -96,9 +96,12 @@ void appendRolling(const Subject& subject, Canvas& canvas) {
 
   const double angle = motion.montgomeryAngle();
   if (!std::isfinite(angle)) return;
+  const view::BodyPlace& place = subject.frame.place;
+  // Without a title, the words take its place.
+  const bool has_title = place.titles != view::PictureTitles::none;
+  const double title_depth = place.picture_title_depth - (has_title ? 0 : layout::kTurnDepth * subject.unit());
   Marker words =
-      factory.text(kTurn, names::kWorld, subject.belowTitle(subject.frame.layout.model_centre, layout::kTurnDepth),
-                   turnsAboutMomentum(angle), layout::kTurnHeight, palette::kAngularMomentum);
+      factory.text(kTurn, names::kWorld, subject.belowTitle(place.model_centre, title_depth, layout::kTurnDepth), turnsAboutMomentum(angle), layout::kTurnHeight, palette::kAngularMomentum);
   words.frame_locked = true;
   canvas.put(words);
   if (outer < kLeastHerpolhode) return;
@@ -123,7 +126,7 @@ void appendCones(const Subject& subject, Canvas& canvas) {
   const ClosedForm::State start = motion.at(0);
   const std::optional<view::Cones> cones = view::cones(subject.inertia.moments(), start.omega_principal);
   if (!cones) return;
-  const Eigen::Vector3d tip = subject.metres() * start.omega_principal;
+  const Eigen::Vector3d tip = subject.radii() * start.omega_principal;
   const Eigen::Vector3d contact = tip + kConeBeyond * tip.normalized();
   const MarkerFactory& factory = subject.factory;
   appendCone(factory, names::kBodyCone, factory.frames().space_body, subject.inertia.axes(), cones->body_axis, contact,

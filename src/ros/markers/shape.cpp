@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <string>
 #include <vector>
 
+#include "markers/layout.h"
 #include "markers/parts.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
@@ -10,7 +12,7 @@
 namespace poinsot::node::parts {
 namespace {
 
-Marker markerOf(const Solid& solid, int colour) {
+Marker markerOf(const Solid& solid, const std_msgs::ColorRGBA& colour) {
   Marker marker;
   marker.type = solid.type == SolidType::ellipsoid  ? Marker::SPHERE
                 : solid.type == SolidType::cylinder ? Marker::CYLINDER
@@ -18,7 +20,7 @@ Marker markerOf(const Solid& solid, int colour) {
   marker.pose.position = toPoint(solid.centre);
   marker.pose.orientation = toQuaternion(solid.orientation);
   marker.scale = toVector3(solid.size);
-  marker.color = palette::kParts[colour % 3];
+  marker.color = colour;
   return marker;
 }
 
@@ -53,24 +55,117 @@ Marker markerOf(const scene::Appearance& appearance) {
   return marker;
 }
 
-}  // namespace
+std_msgs::ColorRGBA colourOf(const Subject& subject, int i) {
+  std_msgs::ColorRGBA out = palette::kParts[i % 3];
+  if (!subject.colour) return out;
+  // The parts stay apart: every second one is darker.
+  const double shade = i % 2 == 0 ? 1 : 0.65;
+  out.r = static_cast<float>(shade * subject.colour->x());
+  out.g = static_cast<float>(shade * subject.colour->y());
+  out.b = static_cast<float>(shade * subject.colour->z());
+  return out;
+}
 
-void appendShape(const Subject& subject, Canvas& canvas) {
-  const auto put = [&](Marker marker, int id) {
-    marker.header.frame_id = subject.factory.frames().body;
-    marker.ns = subject.factory.ns(names::kShape);
-    marker.id = id;
-    marker.frame_locked = true;
-    canvas.put(marker);
-  };
-  if (subject.appearance) return put(markerOf(*subject.appearance), 0);
+/** The body's solids or its mesh, in body axes. */
+std::vector<Marker> shapeOf(const Subject& subject) {
+  if (subject.appearance) return {markerOf(*subject.appearance)};
   const bool single = subject.shape.parts().size() == 1;
   const std::vector<Solid> solids = single ? toldApart(subject.shape.parts().front()) : subject.shape.parts();
+  std::vector<Marker> out;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     Solid solid = solids[i];
     solid.centre += subject.shape_position;
     // The second half of a single solid takes the brightest colour.
-    put(markerOf(solid, static_cast<int>(single && i == 1 ? 2 : i)), static_cast<int>(i));
+    const int colour = static_cast<int>(single && i == 1 && !subject.colour ? 2 : i);
+    out.push_back(markerOf(solid, colourOf(subject, colour)));
+  }
+  return out;
+}
+
+/** How far the shape reaches along a direction from the body's origin [m]. */
+double supportOf(const Subject& subject, const Eigen::Vector3d& direction) {
+  double out = 0;
+  for (const Solid& solid : subject.shape.parts()) {
+    const Eigen::Vector3d along = solid.orientation.conjugate() * direction;
+    const Eigen::Vector3d half = 0.5 * solid.size;
+    // Of a box this is exact; of round solids it is the box around them.
+    out = std::max(out, (solid.centre + subject.shape_position).dot(direction) + along.cwiseAbs().dot(half));
+  }
+  return out;
+}
+
+constexpr int kGhosts = 8;
+constexpr float kGhostAlpha = 0.22f;
+constexpr int kFlightPieces = 60;
+constexpr double kAxisEnd = 0.16;
+
+}  // namespace
+
+void appendShape(const Subject& subject, Canvas& canvas) {
+  int id = 0;
+  for (Marker& marker : shapeOf(subject)) {
+    marker.header.frame_id = subject.factory.frames().body;
+    marker.ns = subject.factory.ns(names::kShape);
+    marker.id = id++;
+    marker.frame_locked = true;
+    canvas.put(marker);
+  }
+}
+
+std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& position, const Eigen::Quaterniond& attitude,
+                           double size) {
+  std::vector<Marker> out = shapeOf(subject);
+  for (Marker& marker : out) {
+    marker.header.frame_id = names::kWorld;
+    const Eigen::Vector3d in_body(marker.pose.position.x, marker.pose.position.y, marker.pose.position.z);
+    const geometry_msgs::Quaternion& q = marker.pose.orientation;
+    marker.pose.position = toPoint(position + attitude * (size * in_body));
+    marker.pose.orientation = toQuaternion(attitude * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+    marker.scale.x *= size;
+    marker.scale.y *= size;
+    marker.scale.z *= size;
+  }
+  return out;
+}
+
+void appendBodyAxes(const Subject& subject, Canvas& canvas) {
+  Marker m = locked(subject.factory.marker(subject.factory.ns(names::kAxes), 0, Marker::LINE_LIST,
+                                           subject.factory.frames().body, {layout::kAxisWidth, 0, 0},
+                                           palette::kPolhode));
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d direction = subject.inertia.axes() * Eigen::Vector3d::Unit(axis);
+    for (const Eigen::Vector3d& d : {direction, Eigen::Vector3d(-direction)}) {
+      const double surface = supportOf(subject, d);
+      m.points.push_back(toPoint(surface * d));
+      m.points.push_back(toPoint((surface + kAxisEnd * subject.unit()) * d));
+      m.colors.insert(m.colors.end(), 2, palette::kAxes[axis]);
+    }
+  }
+  canvas.put(m);
+}
+
+void appendFlight(const Subject& subject, Canvas& canvas) {
+  const std::optional<double>& loop = subject.frame.loop;
+  if (!loop || !subject.translation || !subject.closed_form) return;
+  Marker path = subject.factory.marker(subject.factory.ns(names::kPath), 0, Marker::LINE_STRIP, names::kWorld,
+                                       {layout::kPathWidth, 0, 0}, palette::kFlight);
+  for (int i = 0; i <= kFlightPieces; ++i) {
+    path.points.push_back(toPoint(subject.translation->positionAt(*loop * i / kFlightPieces)));
+  }
+  canvas.put(path);
+
+  int id = 0;
+  for (int i = 0; i <= kGhosts; ++i) {
+    const double t = *loop * i / kGhosts;
+    const Eigen::Quaterniond attitude = subject.closed_form->at(t).attitude * subject.inertia.axes().conjugate();
+    for (Marker& ghost : copyOf(subject, subject.translation->positionAt(t), attitude, 1)) {
+      ghost.ns = subject.factory.ns(names::kGhosts);
+      ghost.id = id++;
+      ghost.mesh_use_embedded_materials = false;
+      if (ghost.color.a == 0) ghost.color = palette::kParts[0];
+      ghost.color.a = kGhostAlpha;
+      canvas.put(ghost);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "markers/layout.h"
+#include "markers/parts.h"
 
 namespace poinsot::node::parts {
 namespace {
@@ -57,15 +58,26 @@ Subject::Subject(const scene::Body& body, const Motion& motion, const names::Fra
       polhode(view::polhode(inertia.moments(), omega_principal, layout::kPolhodePoints)),
       closed_form(motion.closedForm() ? std::make_optional(*motion.closedForm()) : std::nullopt),
       weight(weightOf(body)),
+      orbit(motion.torques() && motion.torques()->gradient() ? std::make_optional(*motion.torques()->gradient())
+                                                            : std::nullopt),
+      translation(body.translation),
+      wanted(body.pictures),
+      is_pushed(isPushed(motion)),
+      keeps_momentum(!motion.torques() && motion.conservesMomentum()),
+      colour(body.colour),
       appearance(body.appearance),
       shape(shapeOf(body, weight)),
       shape_position(weight && !body.shape ? weight->centre_of_mass : body.shape_position),
       shape_radius(shape.boundingRadius()),
       reach(shape_position.norm() + shape_radius),
-      frame{{}, view::pictureScale(inertia.moments(), omega_principal), {}, 0} {}
+      frame() {
+  frame.scale = view::pictureScale(inertia.moments(), omega_principal);
+  if (weight) swept = sweptOnPivot(*this, motion);
+}
 
-Eigen::Vector3d Subject::belowTitle(const Eigen::Vector3d& centre, double depth) const {
-  return centre + Eigen::Vector3d(depth, 0, -frame.title_depth - layout::kFallPerDepth * depth);
+Eigen::Vector3d Subject::belowTitle(const Eigen::Vector3d& centre, double title_depth, double depth) const {
+  const double metres = depth * frame.text * unit();
+  return centre + Eigen::Vector3d(metres, 0, -title_depth - layout::kFallPerDepth * metres);
 }
 
 }  // namespace poinsot::node::parts

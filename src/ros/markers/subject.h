@@ -23,15 +23,19 @@ struct Picture {
 
 /** What is drawn: a body as all parts of its picture know it. */
 struct Subject {
-  /** All but the frame, of which the scale alone is set: that of the start. */
+  /** All but the frame, of which the scale alone is set: that of the start, and what the body sweeps. */
   Subject(const scene::Body& body, const Motion& motion, const names::Frames& frames);
 
   std::array<Picture, 2> pictures() const {
     return {Picture{names::kSpace, factory.frames().space_body}, Picture{names::kModel, factory.frames().model}};
   }
-  double metres() const { return frame.scale.metres_per_radian_per_second; }  ///< per rad/s
-  /** By `depth` [m] for a viewer at +x who looks down a little; apart from the title also for one straight above. */
-  Eigen::Vector3d belowTitle(const Eigen::Vector3d& centre, double depth) const;
+  double radii() const { return frame.scale.metres_per_radian_per_second; }  ///< of the picture, per rad/s
+  double unit() const { return frame.unit; }                                 ///< radius of the picture [m]
+  /**
+   * Returns a place in the world [m] below a title, by `depth` times the height of letters for a viewer at +x who looks
+   * down a little; apart from the title also for one straight above.
+   */
+  Eigen::Vector3d belowTitle(const Eigen::Vector3d& centre, double title_depth, double depth) const;
 
   MarkerFactory factory;
   std::string name;
@@ -41,11 +45,18 @@ struct Subject {
   view::Polhode polhode;                        ///< at t = 0
   std::optional<ClosedForm> closed_form;        ///< of a free body, whatever moves it
   std::optional<GravityTorque> weight;          ///< of a body on a pivot
+  std::optional<Torques::Gradient> orbit;       ///< of a body under gravity gradient
+  std::optional<Translation> translation;
+  scene::Pictures wanted;  ///< pictures that the scene asks for
+  bool is_pushed;        ///< effects turn the body as a whole
+  bool keeps_momentum;   ///< L is constant
+  std::optional<Eigen::Vector3d> colour;        ///< of its solids
   std::optional<scene::Appearance> appearance;  ///< what is drawn instead of the shape
   Assembly shape;                               ///< a box where the scene gives none
   Eigen::Vector3d shape_position;               ///< of its centre of mass, body axes [m]
   double shape_radius;                          ///< of the shape about its centre of mass [m]
   double reach;                                 ///< of the shape from the body's origin [m]
+  std::vector<view::Ball> swept;                ///< of a body on a pivot: what holds it in the first time [m]
   view::PictureFrame frame;
 };
 

@@ -41,7 +41,7 @@ class Trail : public Part {
       : trail_(2 + static_cast<std::size_t>(length / kTrailSpacing), length, kTrailSpacing) {}
 
   void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
-    append(layout::kTrailLift * subject.metres() * now.state.omega_body, subject, canvas);
+    append(layout::kTrailLift * subject.radii() * now.state.omega_body, subject, canvas);
   }
 
   void clearTrail() override { trail_.clear(); }
@@ -70,7 +70,7 @@ class Path : public Trail {
   explicit Path(bool rides) : Trail(kTorquedTrailLength), rides_(rides) {}
 
   void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
-    const Eigen::Vector3d omega = subject.metres() * now.state.omega_body;
+    const Eigen::Vector3d omega = subject.radii() * now.state.omega_body;
     // Where an ellipsoid is long and thin, a larger Ω would be no higher above its flanks: lifted along the normal
     // instead, of which each ellipsoid has its own.
     const Eigen::Vector3d& moments = subject.inertia.moments();
@@ -142,7 +142,7 @@ class Path : public Trail {
 
 std::unique_ptr<Part> makeTrail(const Subject& subject, const Motion& motion) {
   const double share = motion.inClosedForm() ? kTrailShare : kStrayTrailShare;
-  return std::make_unique<Trail>(lengthOf(subject.polhode) * (share * subject.metres()));
+  return std::make_unique<Trail>(lengthOf(subject.polhode) * (share * subject.radii()));
 }
 
 std::unique_ptr<Part> makePath(bool rides) {

@@ -100,6 +100,9 @@ TEST(MarkerTracker, leftoversHoldAllThatIsEverDrawn) {
       std::map<std::string, int> spaces = markerSpaces(body.name);
       session::MovingBody moving(body);
       BodyPicture picture(body, moving.motion(), names::Frames("", body.name), BodyPicture::Detail::pictures);
+      SceneFacts facts;
+      facts.loop = scene.loop;
+      layOutScene({&picture}, facts);
       MarkerArray markers;
       picture.appendStatic(markers);
       for (int k = 0; k < 200; ++k) {

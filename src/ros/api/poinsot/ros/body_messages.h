@@ -20,7 +20,7 @@ void appendTransforms(const session::MovingBody& body, const names::Frames& fram
                       std::vector<geometry_msgs::TransformStamped>& out);
 
 /** Appends the transforms of the body's two pictures. */
-void appendStaticTransforms(const names::Frames& frames, const view::Layout& layout, const ros::Time& stamp,
+void appendStaticTransforms(const names::Frames& frames, const view::PictureFrame& frame, const ros::Time& stamp,
                             std::vector<geometry_msgs::TransformStamped>& out);
 
 /** @param cost CPU seconds per simulated second; NaN where it is not measured. */
@@ -29,7 +29,7 @@ BodyState stateMessage(const session::MovingBody& body, const session::Tick& tic
 nav_msgs::Odometry odometryMessage(const session::MovingBody& body, const std::string& frame,
                                    const session::Tick& tick);
 
-BodyDescription descriptionMessage(const session::MovingBody& body, const std::string& frame,
-                                   const view::PictureScale& scale);
+BodyDescription descriptionMessage(const session::MovingBody& body, const std::string& frame_id,
+                                   const view::PictureFrame& frame);
 
 }  // namespace poinsot::node

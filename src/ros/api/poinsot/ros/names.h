@@ -26,6 +26,8 @@ inline constexpr const char* kSetSpin = "set_spin";
 inline constexpr const char* kSpeed = "speed";
 inline constexpr const char* kSeek = "seek";
 inline constexpr const char* kViewpoint = "viewpoint";
+inline constexpr const char* kLayout = "layout";
+inline constexpr const char* kLightBackground = "light_background";
 inline constexpr const char* kGrip = "grip";  // of an interactive marker server: grip/update, grip/feedback, …
 
 // Parameters, private.
@@ -72,6 +74,13 @@ inline constexpr const char* kMontgomery = "montgomery";
 inline constexpr const char* kBodyCone = "body_cone";
 inline constexpr const char* kSpaceCone = "space_cone";
 inline constexpr const char* kPolhodeFamily = "polhode_family";
+inline constexpr const char* kAxes = "axes";
+inline constexpr const char* kPath = "path";
+inline constexpr const char* kGhosts = "ghosts";
+inline constexpr const char* kOrbit = "orbit";
+// Of no body.
+inline constexpr const char* kDrawnLine = "/line";
+inline constexpr const char* kDrawnText = "/text";
 
 inline std::string markers(const std::string& body, const char* what) {
   return body + "/" + what;

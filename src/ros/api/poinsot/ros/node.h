@@ -5,6 +5,7 @@
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
 #include <ros/time.h>
+#include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
 
 #include <atomic>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "poinsot/ros/body_topics.h"
+#include "poinsot/ros/conversions.h"
 #include "poinsot/ros/diagnostics.h"
 #include "poinsot/ros/parameters.h"
 #include "poinsot/ros/scene_topics.h"
@@ -57,6 +59,9 @@ class Node : private session::Listener {
   void onSpeed(const std_msgs::Float64& message) { session_->ask(session::SetSpeed{message.data}); }
   void onSeek(const std_msgs::Float64& message) { session_->ask(session::Seek{message.data}); }
   void onViewpoint(const geometry_msgs::PointStamped& message);
+  void onLightBackground(const std_msgs::Bool& message) {
+    topics_.setLightBackground(message.data != 0, *session_, toTime(timer_.stamp()));
+  }
   /** Publishes it when it is due by the wall's time: it goes on while the node's clock stands still. */
   void publishStatus();
 

@@ -63,17 +63,18 @@ class SceneBag {
   void writeMoving(const session::Tick& tick);
   void clearLeftovers(bool& cleared, visualization_msgs::MarkerArray& markers) const;
 
-  /** A body, and its picture where there is to be one. */
+  /** A body, and its picture. */
   struct Entry {
     Entry(const scene::Body& scene_body, BodyPicture::Detail detail);
     session::MovingBody body;
     names::Frames frames;
     std::unique_ptr<BodyPicture> picture;
-    view::PictureFrame frame;
   };
 
   std::unique_ptr<rosbag::Bag> bag_;
   std::vector<Entry> entries_;
+  view::SceneLayout layout_;
+  std::vector<scene::Drawing> drawings_;
   bool markers_;
   bool moving_cleared_ = false, still_cleared_ = false;  ///< of what another recording may have drawn
   bool some_body_steps_ = false;                         ///< then labels tell how well

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/ros/layout_topic.h"
 #include "poinsot/ros/markers/marker_tracker.h"
 #include "poinsot/session/session.h"
 
@@ -18,7 +19,7 @@ namespace poinsot::node {
 /** The topics of the whole scene: tf and markers, each in two parts, one that stands still and one that moves. */
 class SceneTopics {
  public:
-  explicit SceneTopics(ros::NodeHandle handle);
+  SceneTopics(ros::NodeHandle handle, ros::NodeHandle private_handle);
 
   /** Publishes all that stands still, for the first time. */
   void begin(const session::Session& session, const ros::Time& stamp);
@@ -33,6 +34,9 @@ class SceneTopics {
   void previewChanged(const std::string& body);
   /** The body is drawn as before again. */
   void previewEnded(const session::Session& session, const std::string& body);
+
+  /** Viewers have a light background, or a dark one: all letters are sent again, to be read there. */
+  void setLightBackground(bool light, const session::Session& session, const ros::Time& stamp);
 
   /** Publishes what moves, and the state of each body, at a tick. */
   void publish(const session::Session& session, const session::Tick& tick);
@@ -58,13 +62,17 @@ class SceneTopics {
   ros::Publisher tf_, static_tf_;
   ros::Publisher markers_, static_markers_;
   MarkerTracker moving_, still_;  ///< what viewers have of markers_ and of static_markers_
+  LayoutTopic layout_;
   std::optional<session::Tick> last_tick_;
   tf2_msgs::TFMessage transforms_;  ///< of the last tick
-  ros::SteadyTime began_, transforms_sent_, preview_sent_;
+  ros::SteadyTime began_, transforms_sent_;
   bool markers_have_new_viewer_ = false;  ///< since the last tick
   bool markers_watched_ = false;
   std::optional<ros::SteadyTime> resend_static_at_;  ///< for the last subscriber
-  bool preview_is_new_ = false;
+  struct {
+    bool is_new = false;
+    ros::SteadyTime sent;
+  } preview_;
 };
 
 }  // namespace poinsot::node

@@ -35,11 +35,17 @@ class SpinHandles {
   std::vector<session::HandleEvent> take();
 
  private:
-  /** Puts the handle of a body there, and makes it where there is none. @param point in the frame [m], finite. */
-  void place(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
+  /** Where a handle stands. */
+  struct Placed {
+    std::string frame;
+    Eigen::Vector3d point;  ///< in the frame [m], finite
+    double radius;          ///< of the picture [m]
+  };
+  /** Puts the handle of a body there, and makes it where there is none. */
+  void place(const std::string& body, const Placed& at);
   void remove(const std::string& body);
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
-  void make(const std::string& body, const std::string& frame, const Eigen::Vector3d& point);
+  void make(const std::string& body, const Placed& at);
   void add(const Feedback& feedback);
   /** Takes the handle back from where a hand has moved it. */
   void putBack(const std::string& body);
@@ -48,10 +54,6 @@ class SpinHandles {
       const std::optional<interactive_markers::MenuHandler::EntryHandle>& parent, const std::string& title,
       const session::HandleEvent& event);
 
-  struct Placed {
-    std::string frame;
-    Eigen::Vector3d point;  ///< [m]
-  };
   interactive_markers::InteractiveMarkerServer server_;
   interactive_markers::MenuHandler menu_;
   interactive_markers::MenuHandler::EntryHandle keep_energy_ = 0, keep_momentum_ = 0;

@@ -32,6 +32,16 @@ struct Appearance {
   std::string place;                                                ///< what a message about the mesh begins with
 };
 
+/** Which pictures of Poinsot's construction an overview shows beside a body. */
+enum class Pictures {
+  as_it_suits,  ///< depends on the scene: doc/scene_file.md
+  both,
+  world,  ///< that in world axes; the other stands apart
+  body,   ///< that in body axes; the other stands apart
+  apart,  ///< both stand apart, outside of an overview
+  none    ///< none is drawn, and no words
+};
+
 /** One body of a scene, validated. All vectors refer to the axes in which the inertia is given. */
 struct Body {
   std::string name;  ///< a valid ROS name without slashes; no other frame of the scene has it
@@ -45,12 +55,23 @@ struct Body {
   std::optional<double> step;        ///< [s]; every method but the closed form has one
   std::optional<Accuracy> accuracy;  ///< then method and step are still to be chosen (cost/resolve_accuracy.h)
   std::optional<Translation> translation;
+  Pictures pictures = Pictures::as_it_suits;
+  std::optional<Eigen::Vector3d> colour;  ///< red, green, blue of its solids, 0 to 1
   std::vector<Effect> effects;  ///< what turns it
+};
+
+/** What a scene draws besides its bodies, world axes [m]: a line through points, or words at one. */
+struct Drawing {
+  std::vector<Eigen::Vector3d> points;  ///< one of words, at least two of a line
+  std::string words;                    ///< empty for a line
+  std::optional<Eigen::Vector3d> colour;  ///< red, green, blue, 0 to 1
 };
 
 struct Scene {
   std::optional<double> rate;  ///< [Hz]
+  std::optional<double> loop;  ///< after this time t begins at 0 again [s]
   std::vector<Body> bodies;    ///< at least one
+  std::vector<Drawing> drawings;
   std::vector<std::string> warnings;
 };
 

@@ -88,6 +88,8 @@ class Session {
   /** Jumps to a time at the next tick, where that takes few steps; else as soon as the job has stepped there. */
   Answer seek(double time);
   void jumpTo(double time);
+  /** Where the scene plays in rounds and one ends before this stamp: jumps to the beginning of the next. */
+  void beginNextRound(Nanoseconds stamp);
   Answer refuse(Refusal refusal);
   Answer refuse(const Request& request, const std::string& detail);
 

@@ -70,8 +70,12 @@ class SpinDrag {
   const std::string& body() const { return body_; }
   bool isOn(const std::string& body) const { return state_ != State::free && body_ == body; }
 
-  /** @param omega_point where Ω is drawn now; was_paused: what is to be brought back when it is over. */
-  void press(const std::string& body, const Eigen::Vector3d& omega_point, bool was_paused, Nanoseconds now);
+  /**
+   * @param omega_point where Ω is drawn now; radius: of the picture [m]; was_paused: what is to be brought back when it
+   *        is over.
+   */
+  void press(const std::string& body, const Eigen::Vector3d& omega_point, double radius, bool was_paused,
+             Nanoseconds now);
 
   /** The hand is still there. */
   void touch(Nanoseconds now) { touched_ = now; }
@@ -102,6 +106,7 @@ class SpinDrag {
   std::string body_;
   bool was_paused_ = false;
   Eigen::Vector3d taken_at_ = Eigen::Vector3d::Zero();
+  double click_ = 0;  ///< a hand that has moved less has not led anything [m]
   Eigen::Vector3d omega_body_ = Eigen::Vector3d::Zero();
   Nanoseconds touched_ = 0;
 };

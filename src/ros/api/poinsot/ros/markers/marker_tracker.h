@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "poinsot/ros/names.h"
+
 namespace poinsot::node {
 
 /** Returns all namespaces in which any body may draw, each with the number of its ids, which begin at 0. */
@@ -17,9 +19,18 @@ std::map<std::string, int> markerSpaces(const std::string& body);
 /** Namespace and id, by which a viewer knows a marker. */
 using MarkerKey = std::pair<std::string, int>;
 
-/** The canvas of one picture: the markers that viewers are to be sent, and which of them they have. */
+/**
+ * The canvas of one picture: the markers that viewers are to be sent, and which of them they have.
+ *
+ * Parts put markers in units of the picture, and the canvas makes metres of them: all lengths in the frames of the
+ * pictures, and in any frame the widths of lines and arrows and the heights of letters. Places in the world and in
+ * body axes, and the sizes of solids there, are in metres already.
+ */
 class Canvas {
  public:
+  /** @param unit [m]. @param text by which letters are larger than usual. @param light the viewers' background. */
+  void setUnits(const names::Frames& frames, double unit, double text, bool light);
+
   void put(const visualization_msgs::Marker& marker);
 
   /** Puts it where it is to be shown, else removes the one that is there. */
@@ -32,6 +43,9 @@ class Canvas {
   std::vector<visualization_msgs::Marker> take() { return std::exchange(markers_, {}); }
 
  private:
+  std::set<std::string> picture_frames_;
+  double unit_ = 1, text_ = 1;
+  bool light_ = false;
   std::vector<visualization_msgs::Marker> markers_;
   std::map<MarkerKey, std::string> there_;  ///< the frame of each
 };

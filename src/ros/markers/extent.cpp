@@ -1,0 +1,78 @@
+// What the layout of the scene needs to know of a body.
+#include <algorithm>
+#include <cmath>
+
+#include "markers/parts.h"
+
+namespace poinsot::node::parts {
+namespace {
+
+constexpr double kWatched = 20;     // s: so long a body that flies, or swings on a pivot, is to be in view
+constexpr int kSamples = 40;
+constexpr double kFarthest = 4;     // times its reach: what flies further is followed
+constexpr double kArrows = 1.3;     // of a body with its torque's arrow, times its reach
+constexpr double kPivotReach = 0.2;      // of the pivot, likewise
+constexpr double kMostSteps = 1e4;
+constexpr std::size_t kMany = 3;    // bodies: with so many, one picture each is enough
+constexpr int kLinesOfFree = 5, kLinesUnderTorque = 3;
+
+void appendFlown(const Subject& subject, double radius, const std::optional<double>& loop,
+                 std::vector<view::Ball>& out) {
+  const double horizon = loop.value_or(kWatched);
+  for (int i = 1; i <= kSamples; ++i) {
+    const Eigen::Vector3d place = subject.translation->positionAt(horizon * i / kSamples);
+    const double flown = (place - subject.start.position).stableNorm();
+    if (!std::isfinite(flown) || (!loop && flown > kFarthest * radius)) return;
+    out.push_back({place, radius});
+  }
+}
+
+/** What is shown where the scene does not say it. */
+scene::Pictures picturesThatSuit(const Subject& subject, std::size_t bodies) {
+  if (subject.wanted != scene::Pictures::as_it_suits) return subject.wanted;
+  if (subject.weight || subject.orbit) return scene::Pictures::apart;
+  return bodies < kMany ? scene::Pictures::both : scene::Pictures::body;
+}
+
+}  // namespace
+
+std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion) {
+  std::vector<view::Ball> out;
+  double horizon = kWatched;
+  if (const auto& step = motion.setup().step) horizon = std::min(horizon, kMostSteps * *step);
+  try {
+    for (int i = 0; i <= kSamples; ++i) {
+      const MotionState state = motion.at(horizon * i / kSamples);
+      out.push_back({state.position + state.attitude * subject.shape_position, subject.shape_radius});
+    }
+  } catch (const std::runtime_error&) {  // the motion ends here
+  }
+  return out;
+}
+
+view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
+  view::BodyExtent out;
+  out.radius = subject.reach;
+  if (subject.weight) {
+    out.body = {{subject.start.position, kPivotReach * subject.reach}};
+    const std::vector<view::Ball>& swept = subject.swept;
+    out.body.insert(out.body.end(), swept.begin(), swept.end());
+  } else {
+    out.body = {{subject.start.position, (subject.is_pushed ? kArrows : 1) * subject.reach}};
+  }
+  if (subject.translation && !subject.translation->velocity.isZero(0)) {
+    appendFlown(subject, subject.reach, scene.loop, out.body);
+  }
+  const scene::Pictures pictures = picturesThatSuit(subject, scene.bodies);
+  const bool has_pictures = !subject.start.omega_body.isZero(0) || !subject.closed_form;  // at rest there are none
+  out.has_words = pictures != scene::Pictures::none;
+  out.shows_world = has_pictures && (pictures == scene::Pictures::both || pictures == scene::Pictures::world);
+  out.shows_body = has_pictures && (pictures == scene::Pictures::both || pictures == scene::Pictures::body);
+  out.shows_orbit = subject.orbit.has_value() && pictures != scene::Pictures::none;
+  if (subject.keeps_momentum) out.momentum = subject.start.momentum_world.stableNormalized();
+  out.picture_depth = beadSymbolDepth(subject);
+  out.lines = scene.some_body_steps ? (subject.closed_form ? kLinesOfFree : kLinesUnderTorque) : 1;
+  return out;
+}
+
+}  // namespace poinsot::node::parts

@@ -1,0 +1,378 @@
+#include "poinsot/view/scene_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace poinsot::view {
+namespace {
+
+// All lengths in radii of a picture, as a viewer at +x sees them.
+constexpr double kGap = 0.2;
+constexpr double kRound = 1.25;        // what a picture reaches on all sides, with the name of Ω or ω
+constexpr double kArrowReach = 1.85;   // of L's arrow with its name, where L points that way
+constexpr double kMovingReach = 1.6;   // of L's arrow where it moves
+constexpr double kBelowBody = 0.3;     // the title's middle, below the body
+constexpr double kTitleHeight = 0.21;  // with kLineHeight: see ros/markers/layout.h
+constexpr double kLineHeight = 0.2;
+constexpr int kPictureLines = 2;            // below the title of a picture
+constexpr double kHalfWords = 1.15;         // the width of the words of a body that steps, or of a picture's
+constexpr double kHalfFigures = 1.45;       // of a body's figures
+constexpr int kFigures = 3;                 // lines: from so many on they are figures
+constexpr double kSmallestLetters = 0.17;   // the height of the smallest letters
+constexpr double kApart = 4;                // where pictures stand apart, in widths of the overview
+constexpr double kApartSpacing = 4;
+
+constexpr double kUsualAspect = 1.6;        // of RViz beside the panel, and on a full screen
+constexpr double kReadable = 12.5 / 450;    // of the height of the overview, for the smallest letters
+constexpr double kLargestLetters = 3;       // relative to those of one body
+constexpr double kTogetherIsWorse = 1.15;   // pictures away from their bodies, by how much farther they may be seen
+constexpr std::size_t kMostCompared = 300;  // bodies: with more, all pictures stand together
+constexpr double kPitch = 0.3, kFlatPitch = 0.15;  // of one body, of several
+
+/** A rectangle across the line of sight: y to the right, z upwards. */
+struct Box {
+  double y0 = std::numeric_limits<double>::infinity(), y1 = -y0, z0 = y0, z1 = -y0;
+
+  void add(double y, double z, double half_width, double half_height) {
+    y0 = std::min(y0, y - half_width);
+    y1 = std::max(y1, y + half_width);
+    z0 = std::min(z0, z - half_height);
+    z1 = std::max(z1, z + half_height);
+  }
+  void add(const Box& other) {
+    y0 = std::min(y0, other.y0);
+    y1 = std::max(y1, other.y1);
+    z0 = std::min(z0, other.z0);
+    z1 = std::max(z1, other.z1);
+  }
+  bool meets(const Box& other) const { return y0 < other.y1 && other.y0 < y1 && z0 < other.z1 && other.z0 < z1; }
+};
+
+/** How far something reaches from its centre. */
+struct Reach {
+  double left = kRound, right = kRound, up = kRound, down = kRound;
+};
+
+enum class Which { world, body, orbit };
+
+Eigen::Vector3d& centreOf(BodyPlace& place, Which which) {
+  return which == Which::world ? place.space_centre : which == Which::body ? place.model_centre : place.orbit_centre;
+}
+const Eigen::Vector3d& centreOf(const BodyPlace& place, Which which) {
+  return centreOf(const_cast<BodyPlace&>(place), which);
+}
+
+/** A body with the pictures that stand beside it, its lengths in metres. */
+class Cell {
+ public:
+  Cell(const BodyExtent& extent, double unit, double text) : extent_(extent), unit_(unit), text_(text) {
+    if (extent.shows_world) shown_.push_back(Which::world);
+    if (extent.shows_body) shown_.push_back(Which::body);
+    if (extent.shows_orbit) shown_.push_back(Which::orbit);
+  }
+
+  const std::vector<Which>& shown() const { return shown_; }
+  bool shows(Which which) const { return std::count(shown_.begin(), shown_.end(), which) > 0; }
+  const Eigen::Vector3d& start() const { return extent_.body.front().centre; }
+
+  /** The depth of the body's title below its start. */
+  double titleDepth() const { return extent_.body.front().radius + unit_ * kBelowBody; }
+  double pictureTitleDepth() const { return unit_ * extent_.picture_depth; }
+
+  /** The body, wherever it is to be in view, and its words at that depth. */
+  Box bodyBox(double title_depth) const {
+    Box out;
+    for (const Ball& ball : extent_.body) out.add(ball.centre.y(), ball.centre.z(), ball.radius, ball.radius);
+    if (extent_.has_words) out.add(wordsBox(start(), title_depth, extent_.lines));
+    return out;
+  }
+
+  Box pictureBox(Which which, const Eigen::Vector3d& centre, double title_depth) const {
+    const Reach reach = reachOf(which);
+    Box out = wordsBox(centre, title_depth, which == Which::body ? kPictureLines : 0);
+    out.y0 = std::min(out.y0, centre.y() - reach.left);
+    out.y1 = std::max(out.y1, centre.y() + reach.right);
+    out.z1 = centre.z() + reach.up;
+    return out;
+  }
+
+  /** How far the picture reaches, lengths in metres. */
+  Reach reachOf(Which which) const {
+    Reach out;
+    if (which == Which::orbit) out = {kMovingReach, kMovingReach, kMovingReach, kMovingReach};
+    if (which == Which::world) {
+      const auto along = [&](double component) {
+        return extent_.momentum ? std::max(kRound, kArrowReach * component) : kMovingReach;
+      };
+      const Eigen::Vector3d l = extent_.momentum.value_or(Eigen::Vector3d::Zero());
+      out = {along(-l.y()), along(l.y()), along(l.z()), along(-l.z())};
+    }
+    for (double* side : {&out.left, &out.right, &out.up, &out.down}) *side *= unit_;
+    return out;
+  }
+
+  /** Puts what an overview shows of the body, and of the pictures beside it. */
+  void appendBalls(const BodyPlace& place, std::vector<Ball>& out) const {
+    out.insert(out.end(), extent_.body.begin(), extent_.body.end());
+    if (extent_.has_words) appendWords(start(), place.title_depth, extent_.lines, out);
+    for (const Which which : shown_) {
+      const Eigen::Vector3d& centre = centreOf(place, which);
+      if (which == Which::world && extent_.momentum) {
+        out.push_back({centre, kRound * unit_});
+        out.push_back({centre + (kArrowReach - 0.15) * unit_ * *extent_.momentum, 0.15 * unit_});
+      } else {
+        out.push_back({centre, (which == Which::body ? kRound : kMovingReach) * unit_});
+      }
+      appendWords(centre, place.picture_title_depth, which == Which::body ? kPictureLines : 0, out);
+    }
+  }
+
+ private:
+  Box wordsBox(const Eigen::Vector3d& centre, double title_depth, int lines) const {
+    Box out;
+    const double half = unit_ * text_ * (lines >= kFigures ? kHalfFigures : kHalfWords);
+    const double height = unit_ * text_ * (kTitleHeight + kLineHeight * lines);
+    out.add(centre.y(), centre.z() - title_depth - 0.5 * height + 0.5 * unit_ * text_ * kTitleHeight, half,
+            0.5 * height);
+    return out;
+  }
+
+  void appendWords(const Eigen::Vector3d& centre, double title_depth, int lines, std::vector<Ball>& out) const {
+    const Box box = wordsBox(centre, title_depth, lines);
+    for (const double y : {box.y0, box.y1}) out.push_back({{centre.x(), y, box.z0}, 0});
+  }
+
+  const BodyExtent& extent_;
+  double unit_, text_;
+  std::vector<Which> shown_;
+};
+
+using Cells = std::vector<Cell>;
+
+/** One way to set the pictures. Throws nothing; `clear` is false where something meets. */
+struct Trial {
+  std::vector<BodyPlace> places;
+  bool clear = true;
+  bool together = false;
+};
+
+class Arranger {
+ public:
+  Arranger(const Cells& cells, double unit) : cells_(cells), unit_(unit) {}
+
+  /** Pictures in a row with their bodies: to the right. Titles of one row are at one height. */
+  Trial beside() const {
+    Trial out = empty();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const Cell& cell = cells_[i];
+      BodyPlace& place = out.places[i];
+      if (!cell.shown().empty()) {
+        place.title_depth = place.picture_title_depth = std::max(cell.titleDepth(), cell.pictureTitleDepth());
+      }
+      double y = cell.bodyBox(place.title_depth).y1 + kGap * unit_;
+      for (const Which which : cell.shown()) {
+        const Reach reach = cell.reachOf(which);
+        centreOf(place, which) = cell.start() + Eigen::Vector3d(0, y + reach.left - cell.start().y(), 0);
+        y += reach.left + reach.right;
+      }
+    }
+    out.clear = nothingMeets(out);
+    return out;
+  }
+
+  /** Pictures in a column with their bodies: below. Of one picture there is no more to say than the body's title. */
+  Trial below() const {
+    Trial out = empty();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const Cell& cell = cells_[i];
+      BodyPlace& place = out.places[i];
+      if (cell.shown().size() == 1) place.titles = PictureTitles::none;
+      double z = cell.bodyBox(place.title_depth).z0 - kGap * unit_;
+      for (const Which which : cell.shown()) {
+        Eigen::Vector3d& centre = centreOf(place, which);
+        centre = cell.start();
+        centre.z() = z - cell.reachOf(which).up;
+        z = cell.pictureBox(which, centre, place.picture_title_depth).z0 - kGap * unit_;
+      }
+    }
+    out.clear = nothingMeets(out);
+    return out;
+  }
+
+  /** All pictures together to the right of all bodies, or below them, in a table with so many columns of bodies. */
+  Trial together(bool to_the_right, std::size_t columns) const {
+    Trial out = empty();
+    out.together = true;
+    Box bodies, largest;
+    double depth = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      bodies.add(cells_[i].bodyBox(out.places[i].title_depth));
+      depth += cells_[i].start().x() / static_cast<double>(cells_.size());
+      double y = 0;
+      for (const Which which : cells_[i].shown()) {  // each cell begins at y = 0
+        const Reach reach = cells_[i].reachOf(which);
+        const Eigen::Vector3d centre(0, y + reach.left, 0);
+        largest.add(cells_[i].pictureBox(which, centre, out.places[i].picture_title_depth));
+        y += reach.left + reach.right;
+      }
+    }
+    const std::vector<std::size_t> order = inReadingOrder();
+    const double width = largest.y1 - largest.y0 + kGap * unit_, height = largest.z1 - largest.z0 + kGap * unit_;
+    const auto rows = static_cast<double>((order.size() + columns - 1) / columns);
+    const double left = to_the_right ? bodies.y1 + kGap * unit_
+                                     : 0.5 * (bodies.y0 + bodies.y1 - static_cast<double>(columns) * width);
+    const double top =
+        to_the_right ? 0.5 * (bodies.z0 + bodies.z1 + rows * height) : bodies.z0 - kGap * unit_;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const Cell& cell = cells_[order[k]];
+      BodyPlace& place = out.places[order[k]];
+      place.titles = PictureTitles::named;
+      double y = left + static_cast<double>(k % columns) * width - largest.y0;
+      const double z = top - static_cast<double>(k / columns) * height - largest.z1;
+      for (const Which which : cell.shown()) {
+        const Reach reach = cell.reachOf(which);
+        centreOf(place, which) = {depth, y + reach.left, z};
+        y += reach.left + reach.right;
+      }
+    }
+    return out;
+  }
+
+  std::vector<Ball> ballsOf(const Trial& trial) const {
+    std::vector<Ball> out;
+    for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].appendBalls(trial.places[i], out);
+    return out;
+  }
+
+ private:
+  Trial empty() const {
+    Trial out;
+    for (const Cell& cell : cells_) {
+      BodyPlace place;
+      place.shows_world = cell.shows(Which::world);
+      place.shows_body = cell.shows(Which::body);
+      place.title_depth = cell.titleDepth();
+      place.picture_title_depth = cell.pictureTitleDepth();
+      out.places.push_back(place);
+    }
+    return out;
+  }
+
+  /** Bodies from the left to the right, and those above each other from the top down. */
+  std::vector<std::size_t> inReadingOrder() const {
+    std::vector<std::size_t> out(cells_.size());
+    std::iota(out.begin(), out.end(), 0);
+    std::stable_sort(out.begin(), out.end(), [&](std::size_t a, std::size_t b) {
+      const Eigen::Vector3d &p = cells_[a].start(), &q = cells_[b].start();
+      return p.y() != q.y() ? p.y() < q.y() : p.z() > q.z();
+    });
+    return out;
+  }
+
+  /** Whether no picture meets a body or a picture of another; bodies that meet each other cannot be helped. */
+  bool nothingMeets(const Trial& trial) const {
+    if (cells_.size() > kMostCompared) return std::all_of(cells_.begin(), cells_.end(), [](const Cell& cell) { return cell.shown().empty(); });
+    std::vector<std::vector<Box>> all;  // of each body: itself, then its pictures
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      BodyPlace place = trial.places[i];
+      all.push_back({cells_[i].bodyBox(place.title_depth)});
+      for (const Which which : cells_[i].shown()) {
+        all.back().push_back(cells_[i].pictureBox(which, centreOf(place, which), place.picture_title_depth));
+      }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        for (std::size_t a = 0; a < all[i].size(); ++a) {
+          for (std::size_t b = 0; b < all[j].size(); ++b) {
+            if (a + b > 0 && all[i][a].meets(all[j][b])) return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  const Cells& cells_;
+  double unit_;
+};
+
+/** Sets what stands apart beyond the overview, so that no camera that shows that sees it. */
+void standApart(const std::vector<BodyExtent>& bodies, SceneLayout& layout) {
+  Box overview;
+  for (const Ball& ball : layout.overview) overview.add(ball.centre.y(), ball.centre.z(), ball.radius, ball.radius);
+  const double size = std::max(overview.y1 - overview.y0, overview.z1 - overview.z0);
+  double y = overview.y1 + kApart * size;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    BodyPlace& place = layout.bodies[i];
+    const double z = bodies[i].body.front().centre.z();
+    if (!place.shows_world) {
+      place.space_centre = {0, y, z};
+      y += kApartSpacing * layout.unit;
+    }
+    if (!place.shows_body) {
+      place.model_centre = {0, y, z};
+      y += kApartSpacing * layout.unit;
+    }
+  }
+}
+
+double unitOf(const std::vector<BodyExtent>& bodies) {
+  double unit = 0;
+  for (const BodyExtent& body : bodies) unit = std::max(unit, body.radius);
+  return unit > 0 && std::isfinite(unit) ? unit : 1;
+}
+
+/** Returns the best layout with letters of that size. */
+SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double text, double pitch) {
+  Cells cells;
+  std::size_t with_pictures = 0;
+  for (const BodyExtent& body : bodies) {
+    cells.emplace_back(body, unit, text);
+    with_pictures += cells.back().shown().empty() ? 0 : 1;
+  }
+  const Arranger arranger(cells, unit);
+  std::vector<Trial> trials = {arranger.beside(), arranger.below()};
+  for (std::size_t columns = 1; columns <= with_pictures; columns *= 2) {
+    trials.push_back(arranger.together(true, columns));
+    trials.push_back(arranger.together(false, columns));
+  }
+  if (with_pictures > 0) trials.push_back(arranger.together(false, with_pictures));
+
+  SceneLayout out;
+  double least = std::numeric_limits<double>::infinity();
+  for (Trial& trial : trials) {
+    if (!trial.clear && with_pictures > 0) continue;
+    std::vector<Ball> balls = arranger.ballsOf(trial);
+    const double distance =
+        cameraThatShows(balls, pitch, 0, kUsualAspect).distance * (trial.together ? kTogetherIsWorse : 1);
+    if (!(distance < least)) continue;
+    least = distance;
+    out.bodies = std::move(trial.places);
+    out.overview = std::move(balls);
+  }
+  out.unit = unit;
+  out.text = text;
+  out.pitch = pitch;
+  return out;
+}
+
+}  // namespace
+
+SceneLayout sceneLayoutOf(const std::vector<BodyExtent>& bodies) {
+  const double unit = unitOf(bodies), pitch = bodies.size() == 1 ? kPitch : kFlatPitch;
+  SceneLayout out = withText(bodies, unit, 1, pitch);
+  for (int i = 0; i < 4; ++i) {
+    const double height =
+        2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
+    const double letters = std::clamp(kReadable * height / (kSmallestLetters * unit), 1.0, kLargestLetters);
+    if (letters <= out.text) break;
+    out = withText(bodies, unit, letters, pitch);
+  }
+  standApart(bodies, out);
+  return out;
+}
+
+}  // namespace poinsot::view
