@@ -18,7 +18,7 @@ namespace {
 
 using visualization_msgs::MarkerArray;
 
-constexpr std::uint64_t kFirstStamp = 1000000000;  // ns: not zero, which ROS reads as "no time yet"
+constexpr std::uint64_t kFirstStamp = 1000000000;    // ns: not zero, which ROS reads as "no time yet"
 const char* const kLayoutTopic = "/poinsot/layout";  // of a node with its usual name
 const ros::Duration kRepeatAfter(2);
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();

@@ -26,7 +26,8 @@ constexpr std::size_t kMostHandles = 16;    // bodies beyond have none
 constexpr std::size_t kPlacedEachTick = 4;  // with more they are placed more rarely
 constexpr std::size_t kMostEvents = 1000;   // kept between two calls of take()
 
-/** Returns a ball of that diameter [m] around Ω, with a sixth of the triangles of RViz's own sphere: software OpenGL is slow. */
+/** Returns a ball of that diameter [m] around Ω, with a sixth of the triangles of RViz's own sphere: software OpenGL is
+ * slow. */
 Marker ball(double diameter) {
   Marker out;
   out.type = Marker::TRIANGLE_LIST;
@@ -121,8 +122,7 @@ void SpinHandles::make(const std::string& body, const Placed& at) {
 
 void SpinHandles::place(const std::string& body, const Placed& at) {
   const auto there = placed_.find(body);
-  const bool is_new =
-      there == placed_.end() || there->second.frame != at.frame || there->second.radius != at.radius;
+  const bool is_new = there == placed_.end() || there->second.frame != at.frame || there->second.radius != at.radius;
   if (!is_new && there->second.point == at.point) return;
   placed_[body] = at;
   if (is_new) {

@@ -78,8 +78,7 @@ rviz::Config overviewOf(const SceneLayout& layout, double aspect) {
 rviz::Config ridingOf(const SceneLayout& layout, const std::string& frame) {
   const double radius = layout.picture_radius;
   rviz::Config out = view("rviz/FrameAligned", kRiding, frame + "_space_body", kRidingNear * radius);
-  const Eigen::Vector3d eye =
-      kRidingDistance * radius * Eigen::Vector3d(kRidingX, kRidingY, kRidingZ).normalized();
+  const Eigen::Vector3d eye = kRidingDistance * radius * Eigen::Vector3d(kRidingX, kRidingY, kRidingZ).normalized();
   out.mapSetValue("Point towards", "arbitrary");
   out.mapSetValue("Lock Camera", true);
   out.mapSetValue("Pitch", std::asin(eye.z() / eye.norm()));
@@ -97,9 +96,8 @@ rviz::Config alongOf(const SceneLayout& layout, const std::string& frame) {
 
 rviz::Config hiddenFor(const SceneLayout& layout, const std::string& body) {
   rviz::Config out;
-  for (const auto& [view, displays] :
-       std::initializer_list<std::pair<const char*, std::vector<const char*>>>{{kRiding, {"Floor", "Grip"}},
-                                                                               {kAlongL, {"Grip"}}}) {
+  for (const auto& [view, displays] : std::initializer_list<std::pair<const char*, std::vector<const char*>>>{
+           {kRiding, {"Floor", "Grip"}}, {kAlongL, {"Grip"}}}) {
     rviz::Config hidden = out.mapMakeChild(view);
     for (const char* display : {"Still", "Motion"}) {
       rviz::Config list = hidden.mapMakeChild(display);

@@ -52,7 +52,8 @@ ViewChoice::ViewChoice(rviz::VisualizationManager* manager) : manager_(manager),
 
 void ViewChoice::refresh() {
   const QWidget* const picture = manager_->getRenderPanel();
-  const double aspect = picture && picture->height() > 0 ? static_cast<double>(picture->width()) / picture->height() : 0;
+  const double aspect =
+      picture && picture->height() > 0 ? static_cast<double>(picture->width()) / picture->height() : 0;
   if (aspect > 0 && aspect != aspect_) {
     aspect_ = aspect;
     fit();

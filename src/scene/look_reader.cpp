@@ -30,7 +30,8 @@ Pictures readPictures(const Place& place) {
 /** Turns the attitude at the start so that L points upwards, and the part of ω across it towards a viewer at +x. */
 void standUpright(const Place& place, Body& body) {
   if (!body.effects.empty()) {
-    place.refuse("a body that no effect turns, whose L keeps its direction", "one with " + nameOf(body.effects.front()));
+    place.refuse("a body that no effect turns, whose L keeps its direction",
+                 "one with " + nameOf(body.effects.front()));
   }
   const Eigen::Vector3d omega_principal = body.inertia.toPrincipal(body.omega_body);
   const Eigen::Vector3d momentum_body =

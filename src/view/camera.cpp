@@ -22,8 +22,7 @@ Room roomAt(double distance, const std::vector<Ball>& balls, const Eigen::Array2
   Room room;
   for (const Ball& ball : balls) {
     // A cone of this opening touches a ball that is so far inside of it.
-    const Eigen::Array2d half =
-        (distance - ball.centre.x()) * tangents - ball.radius * (1 + tangents.square()).sqrt();
+    const Eigen::Array2d half = (distance - ball.centre.x()) * tangents - ball.radius * (1 + tangents.square()).sqrt();
     room.low = room.low.max(ball.centre.tail<2>().array() - half);
     room.high = room.high.min(ball.centre.tail<2>().array() + half);
   }

@@ -12,23 +12,25 @@ namespace {
 // All lengths in radii of a picture, as a viewer at +x sees them.
 constexpr double kGap = 0.2;
 constexpr double kRound = 1.25;        // what a picture reaches on all sides, with the name of Ω or ω
+constexpr double kAboveBead = 1.45;    // upwards, that in body axes, where the name of Ω may stand
 constexpr double kArrowReach = 1.85;   // of L's arrow with its name, where L points that way
 constexpr double kMovingReach = 1.6;   // of L's arrow where it moves
 constexpr double kBelowBody = 0.3;     // the title's middle, below the body
 constexpr double kTitleHeight = 0.21;  // with kLineHeight: see ros/markers/layout.h
 constexpr double kLineHeight = 0.2;
-constexpr int kPictureLines = 2;            // below the title of a picture
-constexpr double kHalfWords = 1.15;         // the width of the words of a body that steps, or of a picture's
-constexpr double kHalfFigures = 1.45;       // of a body's figures
-constexpr int kFigures = 3;                 // lines: from so many on they are figures
-constexpr double kSmallestLetters = 0.17;   // the height of the smallest letters
-constexpr double kApart = 4;                // where pictures stand apart, in widths of the overview
+constexpr int kPictureLines = 2;           // below the title of a picture
+constexpr double kHalfWords = 1.15;        // the width of the words of a body that steps, or of a picture's
+constexpr double kHalfFigures = 1.45;      // of a body's figures
+constexpr int kFigures = 3;                // lines: from so many on they are figures
+constexpr double kSmallestLetters = 0.17;  // the height of the smallest letters
+constexpr double kApart = 4;               // where pictures stand apart, in widths of the overview
 constexpr double kApartSpacing = 4;
 
 constexpr double kUsualAspect = 1.6;        // of RViz beside the panel, and on a full screen
 constexpr double kReadable = 12.5 / 450;    // of the height of the overview, for the smallest letters
 constexpr double kLargestLetters = 3;       // relative to those of one body
 constexpr double kTogetherIsWorse = 1.15;   // pictures away from their bodies, by how much farther they may be seen
+constexpr double kMeetingIsWorse = 1e6;     // taken where there is nothing else
 constexpr std::size_t kMostCompared = 300;  // bodies: with more, all pictures stand together
 constexpr double kPitch = 0.3, kFlatPitch = 0.15;  // of one body, of several
 
@@ -78,21 +80,37 @@ class Cell {
   bool shows(Which which) const { return std::count(shown_.begin(), shown_.end(), which) > 0; }
   const Eigen::Vector3d& start() const { return extent_.body.front().centre; }
 
-  /** The depth of the body's title below its start. */
-  double titleDepth() const { return extent_.body.front().radius + unit_ * kBelowBody; }
+  /** The place of the body's title so far below its start, or at least below the body. */
+  Eigen::Vector3d titleBelow(double depth = 0) const {
+    return start() - Eigen::Vector3d(0, 0, std::max(depth, extent_.body.front().radius + unit_ * kBelowBody));
+  }
   double pictureTitleDepth() const { return unit_ * extent_.picture_depth; }
 
-  /** The body, wherever it is to be in view, and its words at that depth. */
-  Box bodyBox(double title_depth) const {
+  /** The place of the title to the right of the body, with the words below it: both together as high as the middle. */
+  Eigen::Vector3d titleBeside() const {
+    const Box body = bodyAlone();
+    const double height = unit_ * text_ * kLineHeight * extent_.lines;
+    return {start().x(), body.y1 + unit_ * (kGap + text_ * halfWords(extent_.lines)),
+            0.5 * (body.z0 + body.z1 + height)};
+  }
+
+  /** The body, wherever it is to be in view. */
+  Box bodyAlone() const {
     Box out;
     for (const Ball& ball : extent_.body) out.add(ball.centre.y(), ball.centre.z(), ball.radius, ball.radius);
-    if (extent_.has_words) out.add(wordsBox(start(), title_depth, extent_.lines));
+    return out;
+  }
+
+  /** The body with its words. */
+  Box bodyBox(const BodyPlace& place) const {
+    Box out = bodyAlone();
+    if (extent_.has_words) out.add(wordsBox(place.title, extent_.lines));
     return out;
   }
 
   Box pictureBox(Which which, const Eigen::Vector3d& centre, double title_depth) const {
     const Reach reach = reachOf(which);
-    Box out = wordsBox(centre, title_depth, which == Which::body ? kPictureLines : 0);
+    Box out = wordsBox(centre - Eigen::Vector3d(0, 0, title_depth), which == Which::body ? kPictureLines : 0);
     out.y0 = std::min(out.y0, centre.y() - reach.left);
     out.y1 = std::max(out.y1, centre.y() + reach.right);
     out.z1 = centre.z() + reach.up;
@@ -102,6 +120,7 @@ class Cell {
   /** How far the picture reaches, lengths in metres. */
   Reach reachOf(Which which) const {
     Reach out;
+    if (which == Which::body) out.up = kAboveBead;
     if (which == Which::orbit) out = {kMovingReach, kMovingReach, kMovingReach, kMovingReach};
     if (which == Which::world) {
       const auto along = [&](double component) {
@@ -117,7 +136,7 @@ class Cell {
   /** Puts what an overview shows of the body, and of the pictures beside it. */
   void appendBalls(const BodyPlace& place, std::vector<Ball>& out) const {
     out.insert(out.end(), extent_.body.begin(), extent_.body.end());
-    if (extent_.has_words) appendWords(start(), place.title_depth, extent_.lines, out);
+    if (extent_.has_words) appendWords(place.title, extent_.lines, out);
     for (const Which which : shown_) {
       const Eigen::Vector3d& centre = centreOf(place, which);
       if (which == Which::world && extent_.momentum) {
@@ -126,23 +145,27 @@ class Cell {
       } else {
         out.push_back({centre, (which == Which::body ? kRound : kMovingReach) * unit_});
       }
-      appendWords(centre, place.picture_title_depth, which == Which::body ? kPictureLines : 0, out);
+      appendWords(centre - Eigen::Vector3d(0, 0, place.picture_title_depth), which == Which::body ? kPictureLines : 0,
+                  out);
     }
   }
 
  private:
-  Box wordsBox(const Eigen::Vector3d& centre, double title_depth, int lines) const {
+  static double halfWords(int lines) { return lines >= kFigures ? kHalfFigures : kHalfWords; }
+
+  /** A title there, with lines below it. */
+  Box wordsBox(const Eigen::Vector3d& title, int lines) const {
     Box out;
-    const double half = unit_ * text_ * (lines >= kFigures ? kHalfFigures : kHalfWords);
-    const double height = unit_ * text_ * (kTitleHeight + kLineHeight * lines);
-    out.add(centre.y(), centre.z() - title_depth - 0.5 * height + 0.5 * unit_ * text_ * kTitleHeight, half,
-            0.5 * height);
+    const double letters = unit_ * text_;
+    const double top = title.z() + 0.5 * letters * kTitleHeight,
+                 height = letters * (kTitleHeight + kLineHeight * lines);
+    out.add(title.y(), top - 0.5 * height, letters * halfWords(lines), 0.5 * height);
     return out;
   }
 
-  void appendWords(const Eigen::Vector3d& centre, double title_depth, int lines, std::vector<Ball>& out) const {
-    const Box box = wordsBox(centre, title_depth, lines);
-    for (const double y : {box.y0, box.y1}) out.push_back({{centre.x(), y, box.z0}, 0});
+  void appendWords(const Eigen::Vector3d& title, int lines, std::vector<Ball>& out) const {
+    const Box box = wordsBox(title, lines);
+    for (const double y : {box.y0, box.y1}) out.push_back({{title.x(), y, box.z0}, 0});
   }
 
   const BodyExtent& extent_;
@@ -169,10 +192,13 @@ class Arranger {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Cell& cell = cells_[i];
       BodyPlace& place = out.places[i];
-      if (!cell.shown().empty()) {
-        place.title_depth = place.picture_title_depth = std::max(cell.titleDepth(), cell.pictureTitleDepth());
+      if (cell.shown().empty()) {
+        place.title = cell.titleBeside();
+      } else {
+        place.title = cell.titleBelow(place.picture_title_depth);
+        place.picture_title_depth = cell.start().z() - place.title.z();
       }
-      double y = cell.bodyBox(place.title_depth).y1 + kGap * unit_;
+      double y = cell.bodyBox(place).y1 + kGap * unit_;
       for (const Which which : cell.shown()) {
         const Reach reach = cell.reachOf(which);
         centreOf(place, which) = cell.start() + Eigen::Vector3d(0, y + reach.left - cell.start().y(), 0);
@@ -190,7 +216,7 @@ class Arranger {
       const Cell& cell = cells_[i];
       BodyPlace& place = out.places[i];
       if (cell.shown().size() == 1) place.titles = PictureTitles::none;
-      double z = cell.bodyBox(place.title_depth).z0 - kGap * unit_;
+      double z = cell.bodyBox(place).z0 - kGap * unit_;
       for (const Which which : cell.shown()) {
         Eigen::Vector3d& centre = centreOf(place, which);
         centre = cell.start();
@@ -209,7 +235,7 @@ class Arranger {
     Box bodies, largest;
     double depth = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      bodies.add(cells_[i].bodyBox(out.places[i].title_depth));
+      bodies.add(cells_[i].bodyBox(out.places[i]));
       depth += cells_[i].start().x() / static_cast<double>(cells_.size());
       double y = 0;
       for (const Which which : cells_[i].shown()) {  // each cell begins at y = 0
@@ -222,10 +248,9 @@ class Arranger {
     const std::vector<std::size_t> order = inReadingOrder();
     const double width = largest.y1 - largest.y0 + kGap * unit_, height = largest.z1 - largest.z0 + kGap * unit_;
     const auto rows = static_cast<double>((order.size() + columns - 1) / columns);
-    const double left = to_the_right ? bodies.y1 + kGap * unit_
-                                     : 0.5 * (bodies.y0 + bodies.y1 - static_cast<double>(columns) * width);
-    const double top =
-        to_the_right ? 0.5 * (bodies.z0 + bodies.z1 + rows * height) : bodies.z0 - kGap * unit_;
+    const double left =
+        to_the_right ? bodies.y1 + kGap * unit_ : 0.5 * (bodies.y0 + bodies.y1 - static_cast<double>(columns) * width);
+    const double top = to_the_right ? 0.5 * (bodies.z0 + bodies.z1 + rows * height) : bodies.z0 - kGap * unit_;
     for (std::size_t k = 0; k < order.size(); ++k) {
       const Cell& cell = cells_[order[k]];
       BodyPlace& place = out.places[order[k]];
@@ -254,7 +279,7 @@ class Arranger {
       BodyPlace place;
       place.shows_world = cell.shows(Which::world);
       place.shows_body = cell.shows(Which::body);
-      place.title_depth = cell.titleDepth();
+      place.title = cell.titleBelow();
       place.picture_title_depth = cell.pictureTitleDepth();
       out.places.push_back(place);
     }
@@ -272,24 +297,31 @@ class Arranger {
     return out;
   }
 
-  /** Whether no picture meets a body or a picture of another; bodies that meet each other cannot be helped. */
+  /** Whether no picture and no words meet anything of another body. Bodies that meet each other cannot be helped. */
   bool nothingMeets(const Trial& trial) const {
-    if (cells_.size() > kMostCompared) return std::all_of(cells_.begin(), cells_.end(), [](const Cell& cell) { return cell.shown().empty(); });
-    std::vector<std::vector<Box>> all;  // of each body: itself, then its pictures
+    if (cells_.size() > kMostCompared) return false;
+    std::vector<std::vector<Box>> all;  // of each body: itself, then its words and its pictures
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      BodyPlace place = trial.places[i];
-      all.push_back({cells_[i].bodyBox(place.title_depth)});
-      for (const Which which : cells_[i].shown()) {
-        all.back().push_back(cells_[i].pictureBox(which, centreOf(place, which), place.picture_title_depth));
+      const Cell& cell = cells_[i];
+      const BodyPlace& place = trial.places[i];
+      all.push_back({cell.bodyAlone(), cell.bodyBox(place)});
+      for (const Which which : cell.shown()) {
+        all.back().push_back(cell.pictureBox(which, centreOf(place, which), place.picture_title_depth));
       }
     }
+    const auto meet = [](const std::vector<Box>& one, const std::vector<Box>& other) {
+      for (std::size_t a = 0; a < one.size(); ++a) {
+        for (std::size_t b = 0; b < other.size(); ++b) {
+          // The body with its words: only the words count where the bodies meet.
+          const bool bodies_only = a + b == 0 || (a <= 1 && b <= 1 && one[0].meets(other[0]));
+          if (!bodies_only && one[a].meets(other[b])) return true;
+        }
+      }
+      return false;
+    };
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = i + 1; j < all.size(); ++j) {
-        for (std::size_t a = 0; a < all[i].size(); ++a) {
-          for (std::size_t b = 0; b < all[j].size(); ++b) {
-            if (a + b > 0 && all[i][a].meets(all[j][b])) return false;
-          }
-        }
+        if (meet(all[i], all[j])) return false;
       }
     }
     return true;
@@ -335,6 +367,7 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
   }
   const Arranger arranger(cells, unit);
   std::vector<Trial> trials = {arranger.beside(), arranger.below()};
+
   for (std::size_t columns = 1; columns <= with_pictures; columns *= 2) {
     trials.push_back(arranger.together(true, columns));
     trials.push_back(arranger.together(false, columns));
@@ -344,10 +377,9 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
   SceneLayout out;
   double least = std::numeric_limits<double>::infinity();
   for (Trial& trial : trials) {
-    if (!trial.clear && with_pictures > 0) continue;
     std::vector<Ball> balls = arranger.ballsOf(trial);
-    const double distance =
-        cameraThatShows(balls, pitch, 0, kUsualAspect).distance * (trial.together ? kTogetherIsWorse : 1);
+    const double distance = cameraThatShows(balls, pitch, 0, kUsualAspect).distance *
+                            (trial.together ? kTogetherIsWorse : 1) * (trial.clear ? 1 : kMeetingIsWorse);
     if (!(distance < least)) continue;
     least = distance;
     out.bodies = std::move(trial.places);
@@ -365,8 +397,7 @@ SceneLayout sceneLayoutOf(const std::vector<BodyExtent>& bodies) {
   const double unit = unitOf(bodies), pitch = bodies.size() == 1 ? kPitch : kFlatPitch;
   SceneLayout out = withText(bodies, unit, 1, pitch);
   for (int i = 0; i < 4; ++i) {
-    const double height =
-        2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
+    const double height = 2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
     const double letters = std::clamp(kReadable * height / (kSmallestLetters * unit), 1.0, kLargestLetters);
     if (letters <= out.text) break;
     out = withText(bodies, unit, letters, pitch);

@@ -15,6 +15,7 @@ import tempfile
 
 import numpy as np
 import rosbag
+import yaml
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, ".."))
@@ -127,11 +128,15 @@ class Picture:
         """The share of the frame's width and height that bodies and ellipsoids span."""
         points = []
         for m in self.markers.values():
-            solid = m.ns.endswith("/shape") or m.ns.endswith("_ellipsoid")
+            solid = m.ns.endswith(("/shape", "_ellipsoid", "/ghosts", "/orbit"))
             if not solid:
                 continue
+            if m.points:
+                ends = np.array([vector(p) for p in m.points])
+                points.append(self.frames.to_world(m.header.frame_id, ends))
+                continue
             if m.type == MESH:  # whose size the marker does not tell; the layout does
-                half = np.eye(3) * self.reach(m.header.frame_id) * .75
+                half = np.eye(3) * self.reach(m.header.frame_id) * .75 if m.ns.endswith("/shape") else np.zeros((3, 3))
             else:
                 half = np.diag(vector(m.scale)) / 2
             ends = np.concatenate([half, -half]) @ rotation(m.pose.orientation).T + vector(m.pose.position)
@@ -148,14 +153,16 @@ class Picture:
 
 
 def pictures(path, folder):
-    """The scene at each time."""
+    """The scene at each time; where it plays in rounds, at that time of its round."""
     bag = os.path.join(folder, "scene.bag")
     subprocess.run([SIMULATE, path, "--bag", bag, "--duration", str(max(TIMES)), "--rate", "10"], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     picture = Picture()
     with rosbag.Bag(bag) as recording:
         start = recording.get_start_time()
-        due = list(TIMES)
+        with open(path) as text:
+            loop = yaml.safe_load(text).get("loop", math.inf)
+        due = sorted(t if t < loop else math.fmod(t, loop) for t in TIMES)
         last = None
         for topic, message, stamp in recording.read_messages():
             now = stamp.to_sec() - start

@@ -88,9 +88,7 @@ class Heard : public Listener {
 /** A picture of which one knows only where it stands. */
 class Frame : public Companion {
  public:
-  Frame() {
-    frame_.scale.metres_per_radian_per_second = 0.5;
-  }
+  Frame() { frame_.scale.metres_per_radian_per_second = 0.5; }
   const view::PictureFrame& frame() const override { return frame_; }
 
  private:

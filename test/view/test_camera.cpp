@@ -51,7 +51,8 @@ TEST(Camera, showsAllFromNoFartherThanItMust) {
     const Draw draw = drawn(engine);
     const OrbitCamera camera = cameraThatShows(draw.balls, draw.pitch, draw.yaw, draw.aspect);
     double least = 1;
-    for (const Ball& ball : draw.balls) least = std::min(least, roomOf(ball, camera, draw.pitch, draw.yaw, draw.aspect));
+    for (const Ball& ball : draw.balls)
+      least = std::min(least, roomOf(ball, camera, draw.pitch, draw.yaw, draw.aspect));
     EXPECT_GT(least, 0.01) << "something is cut off, or nearly";
     EXPECT_LT(least, 0.05) << "it is farther away than it must be";
   }
@@ -64,7 +65,8 @@ TEST(Camera, aCameraThatIsNearerCutsSomethingOff) {  // so the test above can fa
     OrbitCamera camera = cameraThatShows(draw.balls, draw.pitch, draw.yaw, draw.aspect);
     camera.distance *= 0.9;
     double least = 1;
-    for (const Ball& ball : draw.balls) least = std::min(least, roomOf(ball, camera, draw.pitch, draw.yaw, draw.aspect));
+    for (const Ball& ball : draw.balls)
+      least = std::min(least, roomOf(ball, camera, draw.pitch, draw.yaw, draw.aspect));
     EXPECT_LT(least, 0.01);
   }
 }

@@ -111,7 +111,7 @@ TEST(SceneLayout, allLengthsGrowWithTheBodies) {
   for (const double size : {0.15, 15.0}) {
     const SceneLayout one = sceneLayoutOf({bodyAt({0, 0, 0}, 1)}), other = sceneLayoutOf({bodyAt({0, 0, 0}, size)});
     EXPECT_TRUE(other.bodies[0].model_centre.isApprox(size * one.bodies[0].model_centre, 1e-12));
-    EXPECT_NEAR(other.bodies[0].title_depth, size * one.bodies[0].title_depth, 1e-12 * size);
+    EXPECT_TRUE(other.bodies[0].title.isApprox(size * one.bodies[0].title, 1e-12));
     EXPECT_EQ(other.text, one.text);
   }
 }
@@ -120,8 +120,8 @@ TEST(SceneLayout, lettersCanBeReadInLargeScenes) {
   std::vector<BodyExtent> bodies;
   for (int i = 0; i < 6; ++i) bodies.push_back(bodyAt({0, 5.0 * i, 0}, 1));
   const SceneLayout layout = sceneLayoutOf(bodies);
-  const double height = 2 * std::tan(0.5 * kFieldOfView) *
-                        cameraThatShows(layout.overview, layout.pitch, 0, 16.0 / 9).distance;
+  const double height =
+      2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(layout.overview, layout.pitch, 0, 16.0 / 9).distance;
   EXPECT_GE(0.17 * layout.text * layout.unit / height * 450, 11) << "pixels, in a picture of 800 x 450";
 }
 

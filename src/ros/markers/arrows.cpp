@@ -24,7 +24,8 @@ Eigen::Vector3d besideOmega(const Eigen::Vector3d& omega_metres, const Eigen::Ve
 
 /**
  * For a viewer at +x who looks down a little, and straight at the picture in world axes: where Ω's name stands from its
- * bead, outwards as he sees it, and before the ellipsoids also while the bead is behind them; world axes [radii of the picture].
+ * bead, outwards as he sees it, and before the ellipsoids also while the bead is behind them; world axes [radii of the
+ * picture].
  */
 Eigen::Vector3d besideBead(const Eigen::Vector3d& bead) {
   using namespace layout;

@@ -57,8 +57,8 @@ void appendAxes(const Subject& subject, const Picture& picture, double kinetic_e
   constexpr double kPin = 0.13;
   const Eigen::Vector3d& moments = subject.inertia.moments();
   const Eigen::Vector3d surface =
-      subject.radii() * view::energySemiAxes(moments, kinetic_energy)
-                            .cwiseMax(view::momentumSemiAxes(moments, momentum_squared));
+      subject.radii() *
+      view::energySemiAxes(moments, kinetic_energy).cwiseMax(view::momentumSemiAxes(moments, momentum_squared));
   Marker m = locked(subject.factory.marker(subject.factory.ns(picture.name, names::kAxes), 0, Marker::LINE_LIST,
                                            picture.body_frame, {layout::kAxisWidth, 0, 0}, palette::kPolhode));
   m.pose.orientation = toQuaternion(subject.inertia.axes());
@@ -127,9 +127,8 @@ class TorquedConstruction : public Part {
  private:
   void remove(const Subject& subject, Canvas& canvas) {
     for (const Picture& picture : subject.pictures()) {
-      for (const char* what :
-           {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix, names::kOmega,
-                               names::kAxes}) {
+      for (const char* what : {names::kEnergyEllipsoid, names::kMomentumEllipsoid, names::kPolhode, names::kSeparatrix,
+                               names::kOmega, names::kAxes}) {
         canvas.remove(subject.factory.ns(picture.name, what), 0);
       }
     }

@@ -10,7 +10,7 @@ namespace {
 using visualization_msgs::Marker;
 
 // In radii of a picture.
-constexpr double kLetters = 0.42;
+constexpr double kLetters = 0.24;
 constexpr double kWidth = 0.05;
 constexpr double kHalfLetter = 0.28;  // of their height: half the width of one
 

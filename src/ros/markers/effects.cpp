@@ -13,8 +13,8 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr double kHiddenShare = 0.5;  // of the body's reach: shorter arrows end unseen inside it
-constexpr double kMostBeyond = 1.2;   // times the length of the largest torque that was expected
+constexpr double kHiddenShare = 0.5;     // of the body's reach: shorter arrows end unseen inside it
+constexpr double kMostBeyond = 1.2;      // times the length of the largest torque that was expected
 constexpr double kPivotDiameter = 0.13;  // times the reach of the body
 constexpr double kRodDiameter = 0.05;
 constexpr double kWayLength = 9;  // times the reach of the body
@@ -37,15 +37,16 @@ Eigen::Vector3d beyond(const Eigen::Vector3d& tip, const Eigen::Vector3d& direct
   return tip + distance * to_side;
 }
 
-/** Puts an arrow in <body>/gravity, and its name. */
+/** Puts an arrow in <body>/gravity, and its name from its tip in that direction. */
 void putGravity(const Subject& subject, GravityId id, LabelId symbol_id, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& direction, double length, const char* symbol, Canvas& canvas) {
+                const Eigen::Vector3d& direction, double length, const char* symbol,
+                const Eigen::Vector3d& symbol_towards, Canvas& canvas) {
   const MarkerFactory& factory = subject.factory;
   const Eigen::Vector3d tip = from + length * direction;
   canvas.put(factory.arrow(factory.ns(names::kGravity), id, names::kWorld, from, tip, palette::kGravity));
   canvas.put(factory.text(symbol_id, names::kWorld,
-                          beyond(tip, direction, layout::kBesideEffect * subject.frame.text * subject.unit()), symbol,
-                          layout::kSymbolHeight, palette::kGravity));
+                          beyond(tip, symbol_towards, layout::kBesideEffect * subject.frame.text * subject.unit()),
+                          symbol, layout::kSymbolHeight, palette::kGravity));
 }
 
 class Way : public Part {
@@ -90,7 +91,8 @@ void appendTorque(const Subject& subject, const Now& now, Canvas& canvas) {
     const bool drawn = way.norm() > layout::kLeastTorque * unit && way.allFinite();
     canvas.show(drawn, factory.arrow(ns, id, frame, from, from + way, palette::kTorque));
     // No name where the arrow ends inside the body.
-    const Eigen::Vector3d symbol = beyond(from + way, way.normalized(), layout::kBesideEffect * subject.frame.text * unit);
+    const Eigen::Vector3d symbol =
+        beyond(from + way, way.normalized(), layout::kBesideEffect * subject.frame.text * unit);
     canvas.show(drawn && way.norm() >= hidden,
                 factory.text(symbol_id, frame, symbol, "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
   };
@@ -108,7 +110,8 @@ void appendPivot(const Subject& subject, Canvas& canvas) {
   const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
   if (centre.isZero(0)) return;
   Marker rod = locked(factory.marker(ns, kRod, Marker::CYLINDER, factory.frames().body,
-                                     {kRodDiameter * subject.reach, kRodDiameter * subject.reach, centre.norm()}, palette::kPivot));
+                                     {kRodDiameter * subject.reach, kRodDiameter * subject.reach, centre.norm()},
+                                     palette::kPivot));
   rod.pose.position = toPoint(0.5 * centre);
   rod.pose.orientation = toQuaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), centre));
   canvas.put(rod);
@@ -118,15 +121,17 @@ void appendWeight(const Subject& subject, const Now& now, Canvas& canvas) {
   const GravityTorque& weight = *subject.weight;
   if (weight.gravity.isZero(0)) return;
   putGravity(subject, kWeight, kWeightSymbol, now.state.position + now.state.attitude * weight.centre_of_mass,
-             weight.gravity.stableNormalized(), subject.shape_radius + layout::kWeightBeyond * subject.unit(), "mg", canvas);
+             weight.gravity.stableNormalized(), subject.shape_radius + layout::kWeightBeyond * subject.unit(), "mg",
+             Eigen::Vector3d(0, 1.4, -0.4), canvas);
 }
 
 void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas) {
-  putGravity(subject, kToCentre, kOrbitSymbol, now.state.position,
-             -now.motion.torques()->gradient()->radialAt(now.state.time), subject.reach + layout::kOrbitBeyond * subject.unit(),
-             "centre", canvas);
-  const Eigen::Vector3d place = subject.frame.place.orbit_centre +
-                                kOrbitRadius * subject.unit() * now.motion.torques()->gradient()->radialAt(now.state.time);
+  const Eigen::Vector3d to_centre = -now.motion.torques()->gradient()->radialAt(now.state.time);
+  putGravity(subject, kToCentre, kOrbitSymbol, now.state.position, to_centre,
+             subject.reach + layout::kOrbitBeyond * subject.unit(), "centre", to_centre, canvas);
+  const Eigen::Vector3d place =
+      subject.frame.place.orbit_centre +
+      kOrbitRadius * subject.unit() * now.motion.torques()->gradient()->radialAt(now.state.time);
   int id = kOnOrbit;
   for (Marker& marker : copyOf(subject, place, now.state.attitude, kOnOrbitReach * subject.unit() / subject.reach)) {
     marker.ns = subject.factory.ns(names::kOrbit);

@@ -7,13 +7,14 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr double kWatched = 20;     // s: so long a body that flies, or swings on a pivot, is to be in view
+constexpr double kWatched = 20;  // s: so long a body that flies, or swings on a pivot, is to be in view
 constexpr int kSamples = 40;
-constexpr double kFarthest = 4;     // times its reach: what flies further is followed
-constexpr double kArrows = 1.3;     // of a body with its torque's arrow, times its reach
-constexpr double kPivotReach = 0.2;      // of the pivot, likewise
+constexpr double kFarthest = 4;  // times its reach: what flies further is followed
+constexpr double kArrows = 1.3;  // of a body with its torque's arrow, times its reach
+constexpr double kOrbitArrow = 1.5;
+constexpr double kPivotReach = 0.2;  // of the pivot, likewise
 constexpr double kMostSteps = 1e4;
-constexpr std::size_t kMany = 3;    // bodies: with so many, one picture each is enough
+constexpr std::size_t kMany = 3;  // bodies: with so many, one picture each is enough
 constexpr int kLinesOfFree = 5, kLinesUnderTorque = 3;
 
 void appendFlown(const Subject& subject, double radius, const std::optional<double>& loop,
@@ -58,7 +59,8 @@ view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
     const std::vector<view::Ball>& swept = subject.swept;
     out.body.insert(out.body.end(), swept.begin(), swept.end());
   } else {
-    out.body = {{subject.start.position, (subject.is_pushed ? kArrows : 1) * subject.reach}};
+    const double arrows = subject.orbit ? kOrbitArrow : subject.is_pushed ? kArrows : 1;
+    out.body = {{subject.start.position, arrows * subject.reach}};
   }
   if (subject.translation && !subject.translation->velocity.isZero(0)) {
     appendFlown(subject, subject.reach, scene.loop, out.body);

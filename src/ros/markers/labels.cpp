@@ -41,7 +41,7 @@ std::string comparisonInWords(const Figures& figures) {
 
 /** @param depth below the title [heights of letters]. */
 Marker labelOf(const Subject& subject, LabelId id, double depth, const std::string& words, double height) {
-  const Eigen::Vector3d place = subject.belowTitle(subject.start.position, subject.frame.place.title_depth, depth);
+  const Eigen::Vector3d place = subject.belowTitle(subject.frame.place.title, 0, depth);
   return subject.factory.text(id, names::kWorld, place, words, height);
 }
 

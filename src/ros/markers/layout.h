@@ -7,9 +7,9 @@
 namespace poinsot::node::layout {
 
 // The viewer, as the views of rviz/ have him.
-constexpr double kViewerDistance = 6;  // about
-constexpr double kLooksDown = 0.48;    // by so much per metre
-constexpr double kLooksAside = 0.37;   // per metre, at the picture in body axes, as he looks straight at the other
+constexpr double kViewerDistance = 7;  // about
+constexpr double kLooksDown = 0.31;    // by so much for each unit
+constexpr double kLooksAside = 0.37;   // likewise, at the picture in body axes, as he looks straight at the other
 
 // Heights of letters. Names of arrows are the largest; what is long is smaller, so that it stays beside its neighbours.
 constexpr double kSymbolHeight = 0.23;
@@ -22,7 +22,7 @@ constexpr double kTurnHeight = 0.17;
 // arrows of its effects, and the name of Ω wherever that may come.
 constexpr double kTitleDepth = 1.4;                                           // at least
 constexpr double kBelowShape = 0.3;                                           // of a sphere that holds the body
-constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.08;  // from middle to middle
+constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.12;  // from middle to middle
 constexpr double kDeepestTitle = 1.9;  // below arrows: deeper, the picture would become small
 
 // Middles of texts below the title, of which there is one at a time below a centre. A text that is lower by its depth
@@ -32,9 +32,9 @@ constexpr double kFallPerDepth = 1;
 constexpr double kFiguresDepth = 0.14;  // the upper edge of the figures, and for each line of them:
 constexpr double kFiguresDepthALine = 0.12;
 constexpr double kFlipsDepth = 0.3;
-constexpr double kNamesDepth = 0.3;   // of the ellipsoids
+constexpr double kNamesDepth = 0.3;  // of the ellipsoids
 constexpr double kNamesHeight = 0.18;
-constexpr double kNamesApart = 0.5;   // from the middle
+constexpr double kNamesApart = 0.5;  // from the middle
 constexpr double kTurnDepth = 0.38;  // two lines
 
 // Lines on the ellipsoids lie outside them, so as not to sink into them; the higher one covers the lower. A factor of
@@ -73,7 +73,7 @@ constexpr double kBeforeSurfaces = 0.45;  // so that no ellipsoid hides it
 // Arrows of effects begin inside the body, and end beyond it.
 constexpr double kTorqueBeyond = 0.3;      // the largest torque's
 constexpr double kTorqueAtMomentum = 0.7;  // all of the largest torque's at the tip of L
-constexpr double kWeightBeyond = 0.3;
+constexpr double kWeightBeyond = 0.1;
 constexpr double kOrbitBeyond = 0.3;
 
 // What is smaller is not drawn.

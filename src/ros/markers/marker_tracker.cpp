@@ -45,11 +45,16 @@ constexpr std::size_t kMostCleared = 100;  // bodies
 
 std::map<std::string, int> markerSpaces(const std::string& body) {
   using namespace names;
-  std::map<std::string, int> out = {{markers(body, kShape), kParts},       {markers(body, kTrail), kTrailIds},
-                                    {markers(body, kLabel), kLabelIds},    {markers(body, kTorque), kEffectIds},
-                                    {markers(body, kGravity), kEffectIds}, {markers(body, kSpace, kLabel), kLabelIds},
-                                    {markers(body, kAxes), 1},             {markers(body, kPath), 1},
-                                    {markers(body, kGhosts), kMostGhosts}, {markers(body, kOrbit), 2 + kParts}};
+  std::map<std::string, int> out = {{markers(body, kShape), kParts},
+                                    {markers(body, kTrail), kTrailIds},
+                                    {markers(body, kLabel), kLabelIds},
+                                    {markers(body, kTorque), kEffectIds},
+                                    {markers(body, kGravity), kEffectIds},
+                                    {markers(body, kSpace, kLabel), kLabelIds},
+                                    {markers(body, kAxes), 1},
+                                    {markers(body, kPath), 1},
+                                    {markers(body, kGhosts), kMostGhosts},
+                                    {markers(body, kOrbit), 2 + kParts}};
   const auto add = [&](const char* picture, int ids, std::initializer_list<const char*> whats) {
     for (const char* what : whats) out[markers(body, picture, what)] = ids;
   };

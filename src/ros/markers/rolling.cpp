@@ -101,7 +101,8 @@ void appendRolling(const Subject& subject, Canvas& canvas) {
   const bool has_title = place.titles != view::PictureTitles::none;
   const double title_depth = place.picture_title_depth - (has_title ? 0 : layout::kTurnDepth * subject.unit());
   Marker words =
-      factory.text(kTurn, names::kWorld, subject.belowTitle(place.model_centre, title_depth, layout::kTurnDepth), turnsAboutMomentum(angle), layout::kTurnHeight, palette::kAngularMomentum);
+      factory.text(kTurn, names::kWorld, subject.belowTitle(place.model_centre, title_depth, layout::kTurnDepth),
+                   turnsAboutMomentum(angle), layout::kTurnHeight, palette::kAngularMomentum);
   words.frame_locked = true;
   canvas.put(words);
   if (outer < kLeastHerpolhode) return;

@@ -129,9 +129,9 @@ std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& positi
 }
 
 void appendBodyAxes(const Subject& subject, Canvas& canvas) {
-  Marker m = locked(subject.factory.marker(subject.factory.ns(names::kAxes), 0, Marker::LINE_LIST,
-                                           subject.factory.frames().body, {layout::kAxisWidth, 0, 0},
-                                           palette::kPolhode));
+  Marker m =
+      locked(subject.factory.marker(subject.factory.ns(names::kAxes), 0, Marker::LINE_LIST,
+                                    subject.factory.frames().body, {layout::kAxisWidth, 0, 0}, palette::kPolhode));
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d direction = subject.inertia.axes() * Eigen::Vector3d::Unit(axis);
     for (const Eigen::Vector3d& d : {direction, Eigen::Vector3d(-direction)}) {

@@ -59,7 +59,7 @@ Subject::Subject(const scene::Body& body, const Motion& motion, const names::Fra
       closed_form(motion.closedForm() ? std::make_optional(*motion.closedForm()) : std::nullopt),
       weight(weightOf(body)),
       orbit(motion.torques() && motion.torques()->gradient() ? std::make_optional(*motion.torques()->gradient())
-                                                            : std::nullopt),
+                                                             : std::nullopt),
       translation(body.translation),
       wanted(body.pictures),
       is_pushed(isPushed(motion)),

@@ -41,15 +41,15 @@ struct Subject {
   std::string name;
   PrincipalInertia inertia;
   MotionState start;
-  Eigen::Vector3d omega_principal;              ///< at t = 0 [rad/s]
-  view::Polhode polhode;                        ///< at t = 0
-  std::optional<ClosedForm> closed_form;        ///< of a free body, whatever moves it
-  std::optional<GravityTorque> weight;          ///< of a body on a pivot
-  std::optional<Torques::Gradient> orbit;       ///< of a body under gravity gradient
+  Eigen::Vector3d omega_principal;         ///< at t = 0 [rad/s]
+  view::Polhode polhode;                   ///< at t = 0
+  std::optional<ClosedForm> closed_form;   ///< of a free body, whatever moves it
+  std::optional<GravityTorque> weight;     ///< of a body on a pivot
+  std::optional<Torques::Gradient> orbit;  ///< of a body under gravity gradient
   std::optional<Translation> translation;
-  scene::Pictures wanted;  ///< pictures that the scene asks for
-  bool is_pushed;        ///< effects turn the body as a whole
-  bool keeps_momentum;   ///< L is constant
+  scene::Pictures wanted;                       ///< pictures that the scene asks for
+  bool is_pushed;                               ///< effects turn the body as a whole
+  bool keeps_momentum;                          ///< L is constant
   std::optional<Eigen::Vector3d> colour;        ///< of its solids
   std::optional<scene::Appearance> appearance;  ///< what is drawn instead of the shape
   Assembly shape;                               ///< a box where the scene gives none

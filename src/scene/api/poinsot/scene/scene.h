@@ -57,13 +57,13 @@ struct Body {
   std::optional<Translation> translation;
   Pictures pictures = Pictures::as_it_suits;
   std::optional<Eigen::Vector3d> colour;  ///< red, green, blue of its solids, 0 to 1
-  std::vector<Effect> effects;  ///< what turns it
+  std::vector<Effect> effects;            ///< what turns it
 };
 
 /** What a scene draws besides its bodies, world axes [m]: a line through points, or words at one. */
 struct Drawing {
-  std::vector<Eigen::Vector3d> points;  ///< one of words, at least two of a line
-  std::string words;                    ///< empty for a line
+  std::vector<Eigen::Vector3d> points;    ///< one of words, at least two of a line
+  std::string words;                      ///< empty for a line
   std::optional<Eigen::Vector3d> colour;  ///< red, green, blue, 0 to 1
 };
 

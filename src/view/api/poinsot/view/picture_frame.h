@@ -14,11 +14,11 @@ namespace poinsot::view {
 struct PictureFrame {
   BodyPlace place;
   Eigen::Quaterniond model_orientation = Eigen::Quaterniond::Identity();  ///< body axes → world, of that in body axes
-  PictureScale scale;     ///< of pictures with a radius of 1 m
-  PictureBounds bounds;   ///< of a body under torques
-  std::optional<double> loop;  ///< of a scene that plays in rounds, the time of one [s]
-  double unit = 1;        ///< radius of the pictures [m]
-  double text = 1;        ///< heights of letters, relative to those in pictures that stand alone
+  PictureScale scale;                                                     ///< of pictures with a radius of 1 m
+  PictureBounds bounds;                                                   ///< of a body under torques
+  std::optional<double> loop;     ///< of a scene that plays in rounds, the time of one [s]
+  double unit = 1;                ///< radius of the pictures [m]
+  double text = 1;                ///< heights of letters, relative to those in pictures that stand alone
   bool light_background = false;  ///< of the viewers
 };
 

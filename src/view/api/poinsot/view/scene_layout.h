@@ -10,12 +10,12 @@ namespace poinsot::view {
 
 /** What the layout needs to know of a body. Lengths in metres, world axes. */
 struct BodyExtent {
-  std::vector<Ball> body;             ///< what holds the body, at the times that are to be in view; not empty
-  double radius = 0;                  ///< of the body about its origin
-  bool has_words = true;              ///< a title, at least
-  bool shows_world = true;            ///< the picture in world axes stands beside it; else apart, outside of an overview
-  bool shows_body = true;             ///< likewise that in body axes
-  bool shows_orbit = false;           ///< a picture of its orbit stands beside it
+  std::vector<Ball> body;    ///< what holds the body, at the times that are to be in view; first at the start
+  double radius = 0;         ///< of the body about its origin
+  bool has_words = true;     ///< a title, at least
+  bool shows_world = true;   ///< the picture in world axes stands beside it; else apart, outside of an overview
+  bool shows_body = true;    ///< likewise that in body axes
+  bool shows_orbit = false;  ///< a picture of its orbit stands beside it
   /** Direction of L, a unit vector, where it is constant: its arrow reaches out of the picture only there. */
   std::optional<Eigen::Vector3d> momentum;
   double picture_depth = 1.4;  ///< of the pictures' titles below their centres [radii of a picture], at least
@@ -34,16 +34,16 @@ struct BodyPlace {
   Eigen::Vector3d space_centre = Eigen::Vector3d::Zero();  ///< of the picture in world axes
   Eigen::Vector3d model_centre = Eigen::Vector3d::Zero();  ///< of the picture in body axes
   Eigen::Vector3d orbit_centre = Eigen::Vector3d::Zero();  ///< of the picture of the orbit, where there is one
-  double title_depth = 0;          ///< of the body's title below its place at the start
-  double picture_title_depth = 0;  ///< of the pictures' titles below their centres
+  Eigen::Vector3d title = Eigen::Vector3d::Zero();         ///< the middle of the body's title
+  double picture_title_depth = 0;                          ///< of the pictures' titles below their centres
   PictureTitles titles = PictureTitles::plain;
   bool shows_world = true, shows_body = true;  ///< as in BodyExtent
 };
 
 /** Where all pictures of a scene stand. */
 struct SceneLayout {
-  double unit = 1;  ///< radius of every picture, and the unit of what is drawn around it [m]
-  double text = 1;  ///< heights of letters, relative to those for a single body
+  double unit = 1;   ///< radius of every picture, and the unit of what is drawn around it [m]
+  double text = 1;   ///< heights of letters, relative to those for a single body
   double pitch = 0;  ///< of the camera for the overview [rad]; it stands at +x
   std::vector<BodyPlace> bodies;
   std::vector<Ball> overview;  ///< what an overview is to show: bodies, pictures beside them, words

@@ -31,9 +31,9 @@ struct Figures {
 
 /** What a picture needs to know of the scene around its body. */
 struct SceneFacts {
-  std::size_t bodies = 1;       ///< how many there are
-  bool some_body_steps = false;  ///< then labels say how well, of all bodies
-  std::optional<double> loop;   ///< after which time the scene begins again [s]
+  std::size_t bodies = 1;         ///< how many there are
+  bool some_body_steps = false;   ///< then labels say how well, of all bodies
+  std::optional<double> loop;     ///< after which time the scene begins again [s]
   bool light_background = false;  ///< of the viewers: letters are dark then
 };
 
