@@ -15,9 +15,9 @@ constexpr double kRound = 1.25;        // what a picture reaches on all sides, w
 constexpr double kAboveBead = 1.45;    // upwards, that in body axes, where the name of Ω may stand
 constexpr double kArrowReach = 1.85;   // of L's arrow with its name, where L points that way
 constexpr double kMovingReach = 1.6;   // of L's arrow where it moves
-constexpr double kBelowBody = 0.3;     // the title's middle, below the body
+constexpr double kBelowBody = 0.38;    // the title's middle, below the body
 constexpr double kTitleHeight = 0.21;  // with kLineHeight: see ros/markers/layout.h
-constexpr double kLineHeight = 0.2;
+constexpr double kLineHeight = 0.26;
 constexpr int kPictureLines = 2;           // below the title of a picture
 constexpr double kHalfWords = 1.15;        // the width of the words of a body that steps, or of a picture's
 constexpr double kHalfFigures = 1.45;      // of a body's figures
@@ -26,12 +26,13 @@ constexpr double kSmallestLetters = 0.17;  // the height of the smallest letters
 constexpr double kApart = 4;               // where pictures stand apart, in widths of the overview
 constexpr double kApartSpacing = 4;
 
-constexpr double kUsualAspect = 1.6;        // of RViz beside the panel, and on a full screen
-constexpr double kReadable = 12.5 / 450;    // of the height of the overview, for the smallest letters
-constexpr double kLargestLetters = 3;       // relative to those of one body
+constexpr double kUsualAspect = 1.6;             // of RViz beside the panel, and on a full screen
+constexpr double kReadable = 13.0 / 450;         // of the height of the overview, for the smallest letters
+constexpr double kSmallest = 0.3, kLargest = 3;  // letters, relative to those for one body
 constexpr double kTogetherIsWorse = 1.15;   // pictures away from their bodies, by how much farther they may be seen
 constexpr double kMeetingIsWorse = 1e6;     // taken where there is nothing else
 constexpr std::size_t kMostCompared = 300;  // bodies: with more, all pictures stand together
+constexpr int kTextTrials = 6;              // the letters change the picture, whose size decides on the letters
 constexpr double kPitch = 0.3, kFlatPitch = 0.15;  // of one body, of several
 
 /** A rectangle across the line of sight: y to the right, z upwards. */
@@ -82,7 +83,7 @@ class Cell {
 
   /** The place of the body's title so far below its start, or at least below the body. */
   Eigen::Vector3d titleBelow(double depth = 0) const {
-    return start() - Eigen::Vector3d(0, 0, std::max(depth, extent_.body.front().radius + unit_ * kBelowBody));
+    return start() - Eigen::Vector3d(0, 0, std::max(depth, extent_.body.front().radius + unit_ * kBelowBody * text_));
   }
   double pictureTitleDepth() const { return unit_ * extent_.picture_depth; }
 
@@ -165,7 +166,9 @@ class Cell {
 
   void appendWords(const Eigen::Vector3d& title, int lines, std::vector<Ball>& out) const {
     const Box box = wordsBox(title, lines);
-    for (const double y : {box.y0, box.y1}) out.push_back({{title.x(), y, box.z0}, 0});
+    // Lines stand the nearer to the viewer the lower they are.
+    const double nearer = title.z() - box.z0;
+    for (const double y : {box.y0, box.y1}) out.push_back({{title.x() + nearer, y, box.z0}, 0});
   }
 
   const BodyExtent& extent_;
@@ -203,6 +206,31 @@ class Arranger {
         const Reach reach = cell.reachOf(which);
         centreOf(place, which) = cell.start() + Eigen::Vector3d(0, y + reach.left - cell.start().y(), 0);
         y += reach.left + reach.right;
+      }
+    }
+    out.clear = nothingMeets(out);
+    return out;
+  }
+
+  /** Pictures in a column to the right of their body: for one that flies up or down. */
+  Trial stacked() const {
+    Trial out = empty();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const Cell& cell = cells_[i];
+      BodyPlace& place = out.places[i];
+      place.picture_title_depth += kGap * unit_;  // the lower picture is seen from farther above
+      const Box body = cell.bodyBox(place);
+      double height = 0, left = 0;
+      for (const Which which : cell.shown()) {
+        const Box box = cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth);
+        height += box.z1 - box.z0 + kGap * unit_;
+        left = std::max(left, -box.y0);
+      }
+      double z = 0.5 * (body.z0 + body.z1 + height);
+      for (const Which which : cell.shown()) {
+        const Box box = cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth);
+        centreOf(place, which) = {cell.start().x(), body.y1 + kGap * unit_ + left, z - box.z1};
+        z -= box.z1 - box.z0 + kGap * unit_;
       }
     }
     out.clear = nothingMeets(out);
@@ -366,7 +394,7 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
     with_pictures += cells.back().shown().empty() ? 0 : 1;
   }
   const Arranger arranger(cells, unit);
-  std::vector<Trial> trials = {arranger.beside(), arranger.below()};
+  std::vector<Trial> trials = {arranger.beside(), arranger.below(), arranger.stacked()};
 
   for (std::size_t columns = 1; columns <= with_pictures; columns *= 2) {
     trials.push_back(arranger.together(true, columns));
@@ -396,11 +424,10 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
 SceneLayout sceneLayoutOf(const std::vector<BodyExtent>& bodies) {
   const double unit = unitOf(bodies), pitch = bodies.size() == 1 ? kPitch : kFlatPitch;
   SceneLayout out = withText(bodies, unit, 1, pitch);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < kTextTrials; ++i) {
     const double height = 2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
-    const double letters = std::clamp(kReadable * height / (kSmallestLetters * unit), 1.0, kLargestLetters);
-    if (letters <= out.text) break;
-    out = withText(bodies, unit, letters, pitch);
+    out =
+        withText(bodies, unit, std::clamp(kReadable * height / (kSmallestLetters * unit), kSmallest, kLargest), pitch);
   }
   standApart(bodies, out);
   return out;

@@ -128,7 +128,7 @@ class Picture:
         """The share of the frame's width and height that bodies and ellipsoids span."""
         points = []
         for m in self.markers.values():
-            solid = m.ns.endswith(("/shape", "_ellipsoid", "/ghosts", "/orbit"))
+            solid = m.ns.endswith(("/shape", "_ellipsoid", "/ghosts", "/orbit", "/gravity", "/torque"))
             if not solid:
                 continue
             if m.points:

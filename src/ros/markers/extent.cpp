@@ -1,4 +1,5 @@
 // What the layout of the scene needs to know of a body.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,7 @@ constexpr int kSamples = 40;
 constexpr double kFarthest = 4;  // times its reach: what flies further is followed
 constexpr double kArrows = 1.3;  // of a body with its torque's arrow, times its reach
 constexpr double kOrbitArrow = 1.5;
-constexpr double kPivotReach = 0.2;  // of the pivot, likewise
+constexpr double kPivotReach = 0.32; // of the pivot, likewise
 constexpr double kMostSteps = 1e4;
 constexpr std::size_t kMany = 3;  // bodies: with so many, one picture each is enough
 constexpr int kLinesOfFree = 5, kLinesUnderTorque = 3;
@@ -38,15 +39,26 @@ scene::Pictures picturesThatSuit(const Subject& subject, std::size_t bodies) {
 }  // namespace
 
 std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion) {
-  std::vector<view::Ball> out;
+  Eigen::AlignedBox3d box;
   double horizon = kWatched;
   if (const auto& step = motion.setup().step) horizon = std::min(horizon, kMostSteps * *step);
   try {
     for (int i = 0; i <= kSamples; ++i) {
       const MotionState state = motion.at(horizon * i / kSamples);
-      out.push_back({state.position + state.attitude * subject.shape_position, subject.shape_radius});
+      for (const Solid& solid : subject.shape.parts()) {
+        const Eigen::AlignedBox3d corners(-0.5 * solid.size, 0.5 * solid.size);
+        for (int k = 0; k < 8; ++k) {
+          const Eigen::Vector3d corner = corners.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+          const Eigen::Vector3d in_body = subject.shape_position + solid.centre + solid.orientation * corner;
+          box.extend(Eigen::Vector3d(state.position + state.attitude * in_body));
+        }
+      }
     }
   } catch (const std::runtime_error&) {  // the motion ends here
+  }
+  std::vector<view::Ball> out;
+  for (int k = 0; k < 8 && !box.isEmpty(); ++k) {
+    out.push_back({box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)), 0});
   }
   return out;
 }

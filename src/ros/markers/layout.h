@@ -20,9 +20,9 @@ constexpr double kTurnHeight = 0.17;
 
 // Titles stand below the centres of body and pictures, all at the same depth: below the ellipsoids, the body, the
 // arrows of its effects, and the name of Ω wherever that may come.
-constexpr double kTitleDepth = 1.4;                                           // at least
-constexpr double kBelowShape = 0.3;                                           // of a sphere that holds the body
-constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.12;  // from middle to middle
+constexpr double kTitleDepth = 1.4;                                          // at least
+constexpr double kBelowShape = 0.3;                                          // of a sphere that holds the body
+constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.2;  // from middle to middle
 constexpr double kDeepestTitle = 1.9;  // below arrows: deeper, the picture would become small
 
 // Middles of texts below the title, of which there is one at a time below a centre. A text that is lower by its depth

@@ -126,7 +126,7 @@ double beadSymbolDepth(const Subject& subject);
 /** What the layout of the scene needs to know of the body. */
 view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene);
 
-/** The balls that hold a body on a pivot in its first 20 s, or as far as few steps lead. */
+/** The corners of a box that holds a body on a pivot in its first 20 s, or as far as few steps lead. */
 std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion);
 
 /** Whether effects turn the body as a whole. One that only moves momentum about inside has no part. */

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -82,16 +83,23 @@ std::vector<Marker> shapeOf(const Subject& subject) {
   return out;
 }
 
-/** How far the shape reaches along a direction from the body's origin [m]. */
-double supportOf(const Subject& subject, const Eigen::Vector3d& direction) {
-  double out = 0;
-  for (const Solid& solid : subject.shape.parts()) {
-    const Eigen::Vector3d along = solid.orientation.conjugate() * direction;
-    const Eigen::Vector3d half = 0.5 * solid.size;
-    // Of a box this is exact; of round solids it is the box around them.
-    out = std::max(out, (solid.centre + subject.shape_position).dot(direction) + along.cwiseAbs().dot(half));
+bool isInside(const Solid& solid, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d p = (solid.orientation.conjugate() * (point - solid.centre)).cwiseQuotient(0.5 * solid.size);
+  if (solid.type == SolidType::ellipsoid) return p.squaredNorm() <= 1;
+  if (solid.type == SolidType::cylinder) return p.head<2>().squaredNorm() <= 1 && std::abs(p.z()) <= 1;
+  return p.cwiseAbs().maxCoeff() <= 1;
+}
+
+/** How far from the body's origin a ray in that direction leaves the shape [m]. */
+double exitOf(const Subject& subject, const Eigen::Vector3d& direction) {
+  constexpr int kSteps = 100;
+  for (int i = kSteps; i > 0; --i) {
+    const double distance = subject.reach * i / kSteps;
+    for (const Solid& solid : subject.shape.parts()) {
+      if (isInside(solid, distance * direction - subject.shape_position)) return distance;
+    }
   }
-  return out;
+  return 0;
 }
 
 constexpr int kGhosts = 8;
@@ -135,7 +143,7 @@ void appendBodyAxes(const Subject& subject, Canvas& canvas) {
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d direction = subject.inertia.axes() * Eigen::Vector3d::Unit(axis);
     for (const Eigen::Vector3d& d : {direction, Eigen::Vector3d(-direction)}) {
-      const double surface = supportOf(subject, d);
+      const double surface = exitOf(subject, d);
       m.points.push_back(toPoint(surface * d));
       m.points.push_back(toPoint((surface + kAxisEnd * subject.unit()) * d));
       m.colors.insert(m.colors.end(), 2, palette::kAxes[axis]);
