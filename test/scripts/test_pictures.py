@@ -136,7 +136,7 @@ class Picture:
                 points.append(self.frames.to_world(m.header.frame_id, ends))
                 continue
             if m.type == MESH:  # whose size the marker does not tell; the layout does
-                half = np.eye(3) * self.reach(m.header.frame_id) * .75 if m.ns.endswith("/shape") else np.zeros((3, 3))
+                half = np.eye(3) * (0 if m.ns.endswith("/orbit") else .75 * self.layout.radii[0])
             else:
                 half = np.diag(vector(m.scale)) / 2
             ends = np.concatenate([half, -half]) @ rotation(m.pose.orientation).T + vector(m.pose.position)
@@ -145,11 +145,6 @@ class Picture:
         # What stands apart is outside of the frame, and no subject.
         seen = seen[(seen[:, 0] > 0) & (seen[:, 0] < WIDTH) & (seen[:, 1] > 0) & (seen[:, 1] < HEIGHT)]
         return (seen.max(axis=0) - seen.min(axis=0)) / (WIDTH, HEIGHT) if len(seen) else np.zeros(2)
-
-    def reach(self, frame):
-        at = self.frames.to_world(frame, np.zeros((1, 3)))[0]
-        distances = [np.linalg.norm(vector(p) - at) for p in self.layout.centres]
-        return self.layout.radii[int(np.argmin(distances))]
 
 
 def pictures(path, folder):

@@ -13,7 +13,8 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr double kHiddenShare = 0.5;     // of the body's reach: shorter arrows end unseen inside it
+constexpr double kHiddenShare = 0.4;  // of the longest arrow: shorter ones end unseen inside the body
+constexpr double kBesidePivot = 0.7;  // of the body's reach
 constexpr double kMostBeyond = 1.2;      // times the length of the largest torque that was expected
 constexpr double kPivotDiameter = 0.13;  // times the reach of the body
 constexpr double kRodDiameter = 0.05;
@@ -96,8 +97,10 @@ void appendTorque(const Subject& subject, const Now& now, Canvas& canvas) {
     canvas.show(drawn && way.norm() >= hidden,
                 factory.text(symbol_id, frame, symbol, "\xCF\x84", layout::kSymbolHeight, palette::kTorque));
   };
-  draw(kAtBody, kTorqueSymbol, names::kWorld, now.state.position,
-       subject.reach + layout::kTorqueBeyond * subject.unit(), kHiddenShare * subject.reach, subject.unit());
+  // Of a body on a pivot, the arrow is beside the body in any case.
+  const double longest =
+      subject.weight ? kBesidePivot * subject.reach : subject.reach + layout::kTorqueBeyond * subject.unit();
+  draw(kAtBody, kTorqueSymbol, names::kWorld, now.state.position, longest, kHiddenShare * longest, subject.unit());
   draw(kAtMomentum, kTorqueAtMomentumSymbol, factory.frames().space,
        subject.frame.scale.metres_per_angular_momentum * now.state.momentum_world, layout::kTorqueAtMomentum, 0, 1);
 }

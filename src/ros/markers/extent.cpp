@@ -13,7 +13,8 @@ constexpr int kSamples = 40;
 constexpr double kFarthest = 4;  // times its reach: what flies further is followed
 constexpr double kArrows = 1.3;  // of a body with its torque's arrow, times its reach
 constexpr double kOrbitArrow = 1.5;
-constexpr double kPivotReach = 0.32; // of the pivot, likewise
+constexpr double kFineness = 0.6;     // of the pictures of a body on a pivot, which has the frame for itself
+constexpr double kPivotReach = 0.32;  // of the pivot, likewise
 constexpr double kMostSteps = 1e4;
 constexpr std::size_t kMany = 3;  // bodies: with so many, one picture each is enough
 constexpr int kLinesOfFree = 5, kLinesUnderTorque = 3;
@@ -65,7 +66,7 @@ std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion) {
 
 view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
   view::BodyExtent out;
-  out.radius = subject.reach;
+  out.radius = (subject.weight ? kFineness : 1) * subject.reach;
   if (subject.weight) {
     out.body = {{subject.start.position, kPivotReach * subject.reach}};
     const std::vector<view::Ball>& swept = subject.swept;
