@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Writes RViz's views of the scenes, rviz/<scene>.rviz, and demo.rviz and compare.rviz: make_views.py [DIRECTORY].
+"""Writes RViz's views of the scenes, rviz/<scene>.rviz, and demo.rviz, compare.rviz and lesson.rviz.
+
+Usage: make_views.py [DIRECTORY]
 
 Each is scripts/view_template.rviz.in with three cameras: Overview, which shows everything that the scene's markers reach in
 its first seconds, in a window of 4 : 3 beside the panel and on a full screen; Riding, which turns with the body; Along L,
@@ -41,6 +43,7 @@ TABLE = {
     "tossed_book": {"pitch": .12, "until": 15.1},
     "wingnut": {"pitch": .12, "until": 26},
     "compare": {"pitch": .1},
+    "lesson": {"pitch": .1},
 }
 
 # The arrangement of compare.launch, for the body of the first scene; the names of the steppers do not matter.
@@ -288,6 +291,19 @@ def compared():
         for name, y, z in COMPARED)
 
 
+def write_lesson(folder):
+    """The view of lesson.launch, for the scene that it shows unless another is named."""
+    compare_scene = os.path.join(ROOT, "build", "devel", "lib", "poinsot", "compare_scene")
+    scene = subprocess.run([compare_scene, "--mode", "lesson", os.path.join(ROOT, "launch", "lesson.yaml")], check=True,
+                           stdout=subprocess.PIPE, universal_newlines=True).stdout
+    with tempfile.TemporaryDirectory() as temporary:
+        path = os.path.join(temporary, "lesson.yaml")
+        with open(path, "w") as out:
+            out.write(scene)
+        setting = dict(USUAL, **TABLE["lesson"])
+        write(folder, "lesson", view(Recording(path, setting), setting, "closed_form"))
+
+
 def write(folder, name, text):
     path = os.path.join(folder, name + ".rviz")
     with open(path + ".part", "w") as out:
@@ -316,6 +332,7 @@ def main():
             out.write(compared())
         setting = dict(USUAL, **TABLE["compare"])
         write(folder, "compare", view(Recording(path, setting), setting, "closed_form"))
+    write_lesson(folder)
     return 0
 
 
