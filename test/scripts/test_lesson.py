@@ -2,8 +2,7 @@
 """Runs the commands of doc/course_notes.md and doc/exercises.md and compares what they print with what the documents show.
 
 A command is a block ```sh. If the next block is ```text, that is what it prints, and the line before it says how exactly:
-"within 0.1 %:" (each number, of itself) or "exactly:". All commands of one document run in one folder, one after another,
-as a reader would run them. Code that is quoted as `code` with a link to its file must be there. The checks are also shown
+"within 0.1 %:" is meant of each number. All commands of one document run in one folder, one after another, as a reader would run them. Code that is quoted as `code` with a link to its file must be there. The checks are also shown
 documents in which a figure or a line of code is wrong.
 
 Usage: test_lesson.py DIRECTORY OF PROGRAMS    The last line reads "N passed, M failed".
@@ -20,7 +19,7 @@ from checks import check, finish  # noqa: E402
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
-EXACTNESS = re.compile(r"(?:within ([0-9.]+) %|exactly):\s*\Z")
+EXACTNESS = re.compile(r"within ([0-9.]+) %:\s*\Z")
 QUOTE = re.compile(r"`([^`\n]+)`[^`\n|]*?\]\(\.\./((?:src|include)/[\w./]+)\)")
 NOT_RUN = re.compile(r"(roslaunch|rosrun rviz|scripts/demo\.sh|source) ")  # what opens a window, or is run already
 PATIENCE = 120  # s, of one command
@@ -43,7 +42,7 @@ def commands(text):
         if following and following.group(1) == "text":
             shown = following.group(2)
             said = EXACTNESS.search(text[block.end():following.start()])
-            tolerance = float(said.group(1) or 0) / 100 if said else None
+            tolerance = float(said.group(1)) / 100 if said else None
         out.append((block.group(2), shown, tolerance))
     return out
 
@@ -101,7 +100,7 @@ def outputs(text, programs):
 
 
 def missing_code(text):
-    """Quoted code that is not in its file. A quotation may leave something out: …"""
+    """Quoted code that is not in its file, and the number of quotations. A quotation may leave something out: …"""
     out, count = [], 0
     for code, name in QUOTE.findall(text):
         count += 1
