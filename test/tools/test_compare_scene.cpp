@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "run_program.h"
 
@@ -45,6 +47,53 @@ TEST(CompareScene, aBodyOfSeveralIsTakenByItsName) {
   }
 }
 
+TEST(CompareScene, aLessonIsARowOfTheTwoAlgorithmsAndTheClosedForm) {
+  for (const std::string& arguments : std::vector<std::string>{"", "--step 0.01 "}) {
+    const Outcome outcome = compareScene("--mode lesson " + arguments + kFlip);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const YAML::Node bodies = YAML::Load(outcome.out)["bodies"];
+    ASSERT_EQ(bodies.size(), 3u);
+    double last = -1e9;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const YAML::Node body = bodies[i];
+      const std::string name = body["name"].as<std::string>();
+      EXPECT_EQ(name, (std::vector<std::string>{"lie_euler", "buss2", "closed_form"}[i]));
+      EXPECT_EQ(body["method"].as<std::string>(), name);
+      EXPECT_EQ(!body["step"], name == "closed_form");
+      if (body["step"]) {
+        EXPECT_EQ(body["step"].as<double>(), arguments.empty() ? 1.0 / 60 : 0.01) << arguments;
+      }
+      const auto place = body["effects"][0]["position"].as<std::vector<double>>();
+      EXPECT_GT(place[1], last + 2) << "to the right of the one before";
+      EXPECT_EQ(place[2], 0);
+      last = place[1];
+    }
+  }
+}
+
+/** Without its own method, a body under torques is one under the steppers of free bodies. */
+TEST(CompareScene, aBodyWithItsOwnMethodIsTakenWithoutIt) {
+  const std::string start = "bodies:\n  - {name: a, inertia: [1, 2, 3], angular_velocity: [0.1, 1, 0.1], ";
+  const std::string torque = "effects: [{type: viscous_damping, coefficient: 0.1}]";
+  for (const std::string& own : {std::string("method: rk4, step: 0.003"), std::string("method: closed_form"),
+                                 std::string("method: stepper, accuracy: 1e-4, horizon: 10"),
+                                 "method: taylor16, step: 0.5, " + torque, "method: buss2, step: 0.01, " + torque}) {
+    for (const std::string& mode : std::vector<std::string>{"equal_cost", "equal_step", "lesson"}) {
+      const SceneFile file(start + own + "}\n");
+      const Outcome outcome = compareScene("--mode " + mode + " " + file.word);
+      ASSERT_EQ(outcome.exit_code, 0) << own << ", " << mode << ": " << outcome.err;
+      for (const auto& body : YAML::Load(outcome.out)["bodies"]) {
+        EXPECT_EQ(body["method"].as<std::string>(), body["name"].as<std::string>()) << own;
+        EXPECT_EQ(body["name"].as<std::string>() == "closed_form", !body["step"]) << own;
+        EXPECT_NE(body["step"].as<double>(0), 0.003) << own;
+        EXPECT_FALSE(body["accuracy"] || body["horizon"]) << own;
+        ASSERT_EQ(body["effects"].size(), 1u) << own;
+        EXPECT_EQ(body["effects"][0]["type"].as<std::string>(), "translation") << own;
+      }
+    }
+  }
+}
+
 TEST(CompareScene, aSceneThatIsNoRegularFileIsRefused) {
   const Outcome outcome = runProgram("timeout 30 " + shellWord(COMPARE_SCENE) + " /dev/zero", "");
   EXPECT_EQ(outcome.exit_code, 2);
@@ -67,11 +116,12 @@ TEST(CompareScene, badUse) {
   };
   expectRefusal("", "scene is required");
   expectRefusal("--mode equal_luck " + kFlip,
-                "compare_scene: --mode: expected one of equal_cost, equal_step, got \"equal_luck\"\n");
+                "compare_scene: --mode: expected one of equal_cost, equal_step, lesson, got \"equal_luck\"\n");
   expectRefusal("--step -1 " + kFlip, "--step: expected a positive finite number (s), got \"-1\"\n");
   expectRefusal("--body nobody " + kFlip, "--body: expected one of wingnut");
   expectRefusal("/nowhere/scene.yaml", "/nowhere/scene.yaml");
   expectRefusal("--mode equal_step --step 50 " + kFlip, "lie_euler with a step of 50 s");
+  expectRefusal("--mode lesson --step 50 " + kFlip, "lie_euler with a step of 50 s");
 }
 
 TEST(CompareScene, whatNoStepperCanFollowIsRefused) {
