@@ -4,8 +4,8 @@
 Usage: test_launch_pairs.py    (in the environment of the devel space)
 
 It starts a master of its own. Every ordered pair of demo, demo with publish_clock:=true, compare, regimes and replay is tried, in
-the global namespace and in one of their own: frames arrive on /tf, and the node moves the scene that it was given. Then a
-clock that runs is followed. The last line reads "N passed, M failed".
+the global namespace and in one of their own: frames arrive on /tf, and the node moves the scene that it was given. Then the
+options of replay.launch are tried, and that a clock which runs is followed. The last line reads "N passed, M failed".
 """
 import os
 import shutil
@@ -20,6 +20,7 @@ import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
+from visualization_msgs.msg import MarkerArray  # noqa: E402
 
 import checks  # noqa: E402
 import graph  # noqa: E402
@@ -114,6 +115,26 @@ def try_pairs(namespace, bag, before):
     return before
 
 
+def try_replay(bag):
+    """The options of replay.launch, which are those of rosbag play."""
+    clock, static = graph.Listener("/clock", Clock), graph.Listener("/markers_static", MarkerArray)
+    with Launch(["replay.launch", "bag:=" + bag, "delay:=0", "start:=25", "rate:=4", "loop:=true"]) as launch:
+        out = []
+
+        def seconds():
+            return [message.clock.to_sec() for message in clock.all()]
+        try:
+            launch.wait_for(lambda: any(b < a - 3 for a, b in zip(seconds(), seconds()[1:])), "a clock that jumps back")
+            launch.wait_for(static.last, "what does not move, although it was sent before the start")
+            if not 25 <= min(seconds()) < 27:
+                out.append("start:=25: expected a clock from 26 s on, got %g s" % min(seconds()))
+        except AssertionError as error:
+            out += [str(error)] + launch.process.console.splitlines()[-6:]
+    clock.close()
+    static.close()
+    checks.check("replay with start, rate and loop", out)
+
+
 def try_simulator():
     """The clock of another node is followed while that node runs; of one that was killed, nothing is awaited."""
     tf = graph.Listener("/tf", TFMessage)
@@ -157,6 +178,7 @@ def main():
         subprocess.run([processes.program("simulate"), processes.package_path("scenes", "dzhanibekov.yaml"),
                         "--duration", str(SECONDS), "--bag", bag], check=True)
         try_pairs(OWN, bag, try_pairs("", bag, "nothing"))
+        try_replay(bag)
         try_simulator()
         return checks.finish()
     finally:
