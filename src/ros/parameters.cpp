@@ -10,6 +10,7 @@
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
+#include "poinsot/ros/scene_list.h"
 #include "poinsot/scene/changes.h"
 #include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
@@ -109,6 +110,7 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   });
   ifSet(handle, names::kSceneFile, [&](XmlRpc::XmlRpcValue& value) {
     out.scene_file = readText(names::kSceneFile, value, "the path of a scene file");
+    requireKnownScene(out.scene_file);
     out.scene = scene::readFile(out.scene_file);
   });
 

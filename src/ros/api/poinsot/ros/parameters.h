@@ -26,7 +26,8 @@ class ParameterError : public std::runtime_error {
 
 /**
  * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~method`, `~step`, `~publish_clock` and
- * `~frame_prefix`. Throws ParameterError, or scene::Error for a bad scene, rate or step.
+ * `~frame_prefix`. Throws ParameterError; scene::Error for a bad scene, rate or step; std::invalid_argument for a scene
+ * that the package does not have.
  */
 Parameters readParameters(const ros::NodeHandle& private_handle);
 
