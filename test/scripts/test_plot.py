@@ -54,8 +54,9 @@ def refused(words, folder, content, pattern, *options):
         file.write("old")
     code, said = plot(path, *options)
     out = [] if code == 2 and pattern.replace("FILE", path) in said else ["expected 2 and %s, got %d: %s" % (pattern, code, said)]
-    if text_of(picture) != "old":
-        out.append("the old picture is gone")
+    with open(picture, "rb") as file:
+        if file.read() != b"old":
+            out.append("the old picture is gone")
     checks.check(words, out)
 
 
