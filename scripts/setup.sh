@@ -5,6 +5,7 @@
 #   (always)      what the demo needs
 #   --pictures    a virtual display, and tools to take pictures of it
 #   --films       for scripts/film.sh
+#   --plots       for scripts/plot.py
 #   --tests       for scripts/test.sh
 #   --tests_long  for scripts/test.sh --all
 #   --benchmarks  for the benchmarks and the reference rows
@@ -16,7 +17,7 @@ lists=("$root/scripts/packages/demo.txt")
 for word in "$@"; do
   case "$word" in
     -h | --help) usage; exit 0 ;;
-    --pictures | --films | --tests | --tests_long | --benchmarks | --peers | --docs)
+    --pictures | --films | --plots | --tests | --tests_long | --benchmarks | --peers | --docs)
       lists+=("$root/scripts/packages/${word#--}.txt") ;;
     *) bad_use "setup.sh: unknown option '$word'; see setup.sh --help" ;;
   esac

@@ -14,6 +14,7 @@
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
 #include "poinsot/ros/scene_list.h"
+#include "poinsot/ros/scene_text.h"
 #include "poinsot/ros/session_text.h"
 #include "poinsot/ros/status_message.h"
 #include "poinsot/scene/reader.h"
@@ -82,6 +83,12 @@ Node::Node(const Parameters& parameters, const ros::NodeHandle& handle, const ro
                          ": this machine cannot play the scene in real time; take larger steps, or " + kClosedForm +
                          ", which has none");
   }
+  const std::string played = parameters.scene_file.empty()
+                                 ? "the scene of parameter " + private_handle.resolveName(names::kScene)
+                                 : "scene " + scene.name + " (" + scene.file + ")";
+  ROS_INFO(
+      "%s",
+      playedText(session_->scene(), {played, parameters.rate, handle.getNamespace(), parameters.frame_prefix}).c_str());
 
   ros::NodeHandle own(private_handle);
   handles_ = std::make_unique<SpinHandles>(own);

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "poinsot/core/number_text.h"
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/names.h"
+#include "poinsot/ros/scene_list.h"
+#include "poinsot/scene/changes.h"
+#include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
 
 namespace poinsot::node {
@@ -25,18 +29,22 @@ void ifSet(const ros::NodeHandle& handle, const char* name, Use use) {
   if (handle.getParam(name, value)) use(value);
 }
 
+std::string placeOf(const char* name) {
+  return std::string("parameter ~") + name;
+}
+
 [[noreturn]] void refuse(const char* name, const XmlRpc::XmlRpcValue& value, const std::string& expected) {
   std::ostringstream message;
-  message << "parameter ~" << name << ": expected " << expected << ", got ";
+  message << placeOf(name) << ": expected " << expected << ", got ";
   value.write(message);
   throw ParameterError(message.str());
 }
 
-/** Returns the rate [Hz], read as in a scene file: readers of parameter files take `1e2` for a text. */
-double readRate(XmlRpc::XmlRpcValue& value) {
-  const std::string source = std::string("parameter ~") + names::kRate;
+/** Returns a number, read as in a scene file by `read`: readers of parameter files take `1e2` for a text. */
+template <class Read>
+double readNumber(const char* name, XmlRpc::XmlRpcValue& value, Read read) {
   const bool text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
-  return scene::readRate(text ? YAML::Node(static_cast<std::string>(value)) : toYaml(value, source), source);
+  return read(text ? YAML::Node(static_cast<std::string>(value)) : toYaml(value, placeOf(name)), placeOf(name));
 }
 
 std::string readText(const char* name, XmlRpc::XmlRpcValue& value, const std::string& expected) {
@@ -53,6 +61,32 @@ std::string readPrefix(XmlRpc::XmlRpcValue& value) {
     refuse(names::kFramePrefix, value, expected);
   }
   return prefix;
+}
+
+/** Moves all bodies of the scene by `~method` and `~step`, where they are set. */
+void applyMethod(const ros::NodeHandle& handle, scene::Scene& scene) {
+  std::string method;
+  ifSet(handle, names::kMethod,
+        [&](XmlRpc::XmlRpcValue& value) { method = readText(names::kMethod, value, "the name of a method"); });
+  std::optional<double> step;
+  ifSet(handle, names::kMethodStep,
+        [&](XmlRpc::XmlRpcValue& value) { step = readNumber(names::kMethodStep, value, scene::readStep); });
+  if (step && (method.empty() || method == kClosedForm)) {
+    throw ParameterError(
+        placeOf(names::kMethodStep) + ": " +
+        scene::expectedGot("no step, or one beside a ~method that steps",
+                           numberText(*step, 15) + (method.empty() ? " without a ~method" : " beside " + method)));
+  }
+  if (method.empty()) return;
+  for (scene::Body& body : scene.bodies) {
+    const std::vector<std::string> known = scene::methodsFor(body);
+    const bool moves = std::find(known.begin(), known.end(), method) != known.end();
+    try {
+      body = scene::withMethod(body, method, step, scene.warnings);
+    } catch (const scene::Error& error) {
+      throw ParameterError(placeOf(moves && step ? names::kMethodStep : names::kMethod) + ": " + error.what());
+    }
+  }
 }
 
 }  // namespace
@@ -76,15 +110,17 @@ Parameters readParameters(const ros::NodeHandle& handle) {
   });
   ifSet(handle, names::kSceneFile, [&](XmlRpc::XmlRpcValue& value) {
     out.scene_file = readText(names::kSceneFile, value, "the path of a scene file");
+    requireKnownScene(out.scene_file);
     out.scene = scene::readFile(out.scene_file);
   });
 
   requireMeshes(out.scene);
+  applyMethod(handle, out.scene);
   if (out.scene.rate) out.rate = *out.scene.rate;
-  ifSet(handle, names::kRate, [&](XmlRpc::XmlRpcValue& value) { out.rate = readRate(value); });
+  ifSet(handle, names::kRate,
+        [&](XmlRpc::XmlRpcValue& value) { out.rate = readNumber(names::kRate, value, scene::readRate); });
   if (out.rate < kSlowestRate || out.rate > kFastestRate) {
-    const std::string place =
-        handle.hasParam(names::kRate) ? std::string("parameter ~") + names::kRate : "rate of the scene";
+    const std::string place = handle.hasParam(names::kRate) ? placeOf(names::kRate) : "rate of the scene";
     throw ParameterError(place + ": expected a number from " + numberText(kSlowestRate) + " to " +
                          numberText(kFastestRate) + " (Hz), got " + numberText(out.rate));
   }

@@ -3,10 +3,11 @@
 #include <ros/package.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+
+#include "poinsot/scene/message.h"
 
 namespace poinsot::node {
 namespace {
@@ -15,6 +16,13 @@ constexpr const char* kEnding = ".yaml";
 
 std::filesystem::path directory() {
   return std::filesystem::path(ros::package::getPath("poinsot")) / "scenes";
+}
+
+[[noreturn]] void refuse(const std::string& got) {
+  const std::vector<std::string> names = sceneNames();
+  throw std::invalid_argument("scene: " +
+                              scene::expectedGot("the path of a scene file or one of " + scene::joined(names),
+                                                 '"' + got + '"' + scene::didYouMean(got, names)));
 }
 
 }  // namespace
@@ -37,8 +45,17 @@ std::string sceneFile(const std::string& name_or_path) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return (directory() / (name_or_path + kEnding)).string();
   }
-  throw std::invalid_argument("scene: expected the path of a scene file or one of " +
-                              boost::algorithm::join(names, ", ") + ", got \"" + name_or_path + "\"");
+  refuse(name_or_path);
+}
+
+void requireKnownScene(const std::string& path) {
+  const std::filesystem::path file(path);
+  std::error_code none;
+  if (file.extension() != kEnding || std::filesystem::exists(file, none) ||
+      !std::filesystem::equivalent(file.parent_path(), directory(), none)) {
+    return;
+  }
+  refuse(sceneName(path));
 }
 
 std::string sceneName(const std::string& file) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "synonyms.h"
+
 namespace poinsot::scene {
 namespace {
 
@@ -39,6 +41,9 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string didYouMean(const std::string& word, const std::vector<std::string>& candidates) {
   if (word.size() > kLongestSuggested) return "";
+  if (const Synonym* synonym = synonymOf(word, candidates)) {
+    return std::string(" (did you mean \"") + synonym->meant + '"' + synonym->note + "?)";
+  }
   std::string nearest;
   std::size_t distance = kFurthestSuggestion + 1;
   for (const std::string& candidate : candidates) {

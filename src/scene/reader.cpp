@@ -119,6 +119,10 @@ Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOpti
   return readScene(Place(tree, source), options);
 }
 
+double readStep(const YAML::Node& node, const std::string& source) {
+  return readNumber(Place(node, source), quantity::kStep);
+}
+
 double readRate(const YAML::Node& node, const std::string& source) {
   return readNumber(Place(node, source), quantity::kRate);
 }

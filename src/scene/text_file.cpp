@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "poinsot/scene/message.h"
 #include "poinsot/scene/reader.h"
@@ -13,9 +15,18 @@
 namespace poinsot::scene {
 namespace {
 
+/** Returns words with the absolute path that a relative one stands for; empty for an absolute one. */
+std::string whereItIs(const std::string& path) {
+  if (path.empty() || path.front() == '/') return "";
+  std::error_code failed;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
+  return failed ? "" : "the relative path means " + absolute.string();
+}
+
 [[noreturn]] void refuse(const std::string& path, const std::string& found) {
-  throw Error(path + ": " +
-              expectedGot("a regular file of at most " + std::to_string(kLargestTextFile) + " bytes", found));
+  throw Error(
+      path + ": " +
+      expectedGot("a regular file of at most " + std::to_string(kLargestTextFile) + " bytes", found, whereItIs(path)));
 }
 
 [[noreturn]] void refuseUnreadable(const std::string& path, int error) {

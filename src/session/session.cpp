@@ -10,8 +10,7 @@
 namespace poinsot::session {
 namespace {
 
-constexpr double kCoarseShare = 0.1;        // of a tick: where doubles lie further apart, t is seen to jump
-constexpr double kBesideSeparatrix = 3e-7;  // k': some last bits of E and |L|²
+constexpr double kCoarseShare = 0.1;  // of a tick: where doubles lie further apart, t is seen to jump
 
 }  // namespace
 
@@ -210,16 +209,7 @@ Status Session::status() const {
     body.step = setup.step;
     body.methods = scene::methodsFor(playing_.scene.bodies[i]);
     const Body& seen = drawn(i);
-    if (const ClosedForm* exact = seen.motion().closedForm()) {
-      const MotionSetup& start = seen.motion().setup();
-      body.free.emplace();
-      body.free->regime = seen.regime();
-      body.free->moments = start.inertia.moments();
-      body.free->omega_principal = start.inertia.toPrincipal(start.omega_body);
-      const double distance = exact->separatrixDistance();
-      body.free->beside_separatrix = distance > 0 && distance < kBesideSeparatrix;
-      body.free->flips = view::flipsOf(*exact, seen.state().time, clock_.speed());
-    }
+    body.free = freeMotion(seen.motion(), seen.regime(), seen.state().time, clock_.speed());
     out.bodies.push_back(std::move(body));
   }
   return out;

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -17,6 +18,7 @@
 #include "poinsot/ros/interrupt.h"
 #include "poinsot/ros/markers/meshes.h"
 #include "poinsot/ros/node.h"
+#include "poinsot/ros/scene_text.h"
 #include "poinsot/scene/reader.h"
 #include "standard_output.h"
 
@@ -44,6 +46,7 @@ int check(const std::string& file) {
     for (const std::string& warning : scene.warnings) std::cerr << warning << "\n";
     const double rate = scene.rate.value_or(poinsot::scene::kDefaultRate);
     for (const std::string& choice : poinsot::cost::resolveAccuracies(scene, rate)) std::cout << choice << "\n";
+    std::cout << poinsot::node::checkedText(scene);
     poinsot::tools::flushStandardOutput();
     return 0;
   } catch (const poinsot::scene::Error& error) {
@@ -64,10 +67,11 @@ int main(int argc, char** argv) {
 
   CLI::App app(
       "Moves the rigid bodies of a scene and publishes their motion. Parameters: ~scene or ~scene_file, ~rate, "
-      "~publish_clock, ~frame_prefix.",
+      "~method, ~step, ~publish_clock, ~frame_prefix.",
       "poinsot_node");
   std::string file;
-  app.add_option("--check", file, "only read and validate this scene file: exit 0 when it is good, 2 when not");
+  app.add_option("--check", file,
+                 "only read and validate this scene file, and print what it has: exit 0 when it is good, 2 when not");
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
@@ -75,6 +79,7 @@ int main(int argc, char** argv) {
   }
   if (app.count("--check") > 0) return check(file);
 
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // what the node says is to be read while it runs, also in a file
   const std::atomic<bool>& interrupted = poinsot::node::interruptFlag();
   ros::init(argc, argv, "poinsot", ros::init_options::NoSigintHandler);
   if (!awaitMaster(interrupted)) return 0;

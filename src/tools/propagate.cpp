@@ -12,6 +12,7 @@
 
 #include "command_line.h"
 #include "csv_rows.h"
+#include "more_columns.h"
 #include "poinsot/core/closed_form.h"
 #include "poinsot/core/inertia.h"
 #include "poinsot/core/method.h"
@@ -25,6 +26,7 @@ namespace {
 using poinsot::tools::BadUse;
 using poinsot::tools::CsvError;
 using poinsot::tools::CsvRow;
+using poinsot::tools::MoreColumns;
 using poinsot::tools::parseNumber;
 
 constexpr int kNo = 1;               // exit code
@@ -42,7 +44,7 @@ const char kAbout[] =
     "  q0w q0x q0y q0z     attitude at t = 0, principal axes -> world; normalised on reading\n"
     "  O01 O02 O03         angular velocity at t = 0, principal axes [rad/s]\n"
     "  t                   time of the state wanted [s], either sign\n"
-    "Output columns: id,t,qw,qx,qy,qz,O1,O2,O3 with 17 significant digits, qw >= 0.\n\n"
+    "Output columns: id,t,qw,qx,qy,qz,O1,O2,O3 with 17 significant digits, qw >= 0; more by --columns.\n\n"
     "The closed form takes the numbers for exact and goes to any t at once. Every other method is a stepper: it "
     "needs\n"
     "--step S and takes ceil(|t|/S) equal steps to reach t exactly; more than 1e12 are refused. Where it does not "
@@ -151,27 +153,53 @@ std::string warning(const Task& task, const Way& way) {
   return "propagate: line " + std::to_string(task.line) + ": do not trust this row: " + judgement.reason + "\n";
 }
 
-/**
- * Adds the errors of a stepper's row: of the attitude against the closed form, unless that has no state there, and of
- * the energy against that at the start.
- */
-void judge(const Task& start, const Task& end, poinsot::tools::WorstErrors& worst) {
+/** Returns the kinetic energy [J]. */
+double energyOf(const Task& task) {
+  return 0.5 * task.omega.dot(task.moments.cwiseProduct(task.omega));
+}
+
+/** The errors of a row. */
+struct Errors {
+  double attitude = 0;      ///< from the closed form [rad]; NaN where that has no state
+  double energy_drift = 0;  ///< relative to the start
+};
+
+Errors errorsOf(const Task& start, const Task& end, const Way& way) {
+  Errors out;
+  const double before = energyOf(start);
+  if (before > 0) out.energy_drift = energyOf(end) / before - 1;
+  if (!way.method || end.t == 0) return out;
   Task truth = start;
   try {
     evaluate(truth);
+    out.attitude = poinsot::angleBetween(end.attitude, truth.attitude);
   } catch (const std::exception&) {
-    return;
+    out.attitude = std::numeric_limits<double>::quiet_NaN();
   }
-  const auto energy = [&](const Eigen::Vector3d& omega) { return omega.dot(end.moments.cwiseProduct(omega)); };
-  const double before = energy(start.omega), after = energy(end.omega);
-  worst.add(end.t, poinsot::angleBetween(end.attitude, truth.attitude), before > 0 ? after / before - 1 : 0);
+  return out;
+}
+
+/** Appends the columns that were asked for besides the state. */
+void printMore(const Task& task, const Errors& errors, const MoreColumns& columns, std::string& out) {
+  char numbers[4 * 32];
+  if (columns.energy) {
+    const Eigen::Vector3d own = task.moments.cwiseProduct(task.omega);
+    const Eigen::Vector3d momentum = task.attitude * own + Eigen::Vector3d::Zero();  // + 0: no "-0"
+    std::snprintf(numbers, sizeof numbers, ",%.17g,%.17g,%.17g,%.17g", energyOf(task), momentum[0], momentum[1],
+                  momentum[2]);
+    out += numbers;
+  }
+  if (columns.errors) {
+    std::snprintf(numbers, sizeof numbers, ",%.17g,%.17g", errors.attitude, errors.energy_drift);
+    out += numbers;
+  }
 }
 
 void print(const Task& task, std::string& out) {
   const double sign = task.attitude.w() < 0 ? -1 : 1;
   const Eigen::Vector4d q = sign * task.attitude.coeffs() + Eigen::Vector4d::Zero();  // + 0: no "-0"
   char numbers[8 * 32];
-  std::snprintf(numbers, sizeof numbers, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", task.t, q[3], q[0], q[1],
+  std::snprintf(numbers, sizeof numbers, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", task.t, q[3], q[0], q[1],
                 q[2], task.omega[0], task.omega[1], task.omega[2]);
   out += task.id + numbers;
 }
@@ -196,7 +224,7 @@ struct Output {
   std::string table, warnings;
 };
 
-Output run(const Way& way) {
+Output run(const Way& way, const MoreColumns& columns) {
   std::cin.peek();
   if (std::ferror(stdin)) throw std::invalid_argument(std::string("cannot read the input: ") + std::strerror(errno));
   std::vector<Task> tasks;
@@ -205,14 +233,18 @@ Output run(const Way& way) {
     for (const Task& task : tasks) stepsFor(task, way.step);  // refuses before the long work begins
   }
 
-  Output out{"id,t,qw,qx,qy,qz,O1,O2,O3\n", ""};
+  Output out{"id,t,qw,qx,qy,qz,O1,O2,O3" + headerOf(columns) + "\n", ""};
   poinsot::tools::WorstErrors worst;
   for (Task& task : tasks) {
     const Task start = task;
     out.warnings += warning(task, way);
     propagate(task, way);
     print(task, out.table);
-    if (way.method && task.t != 0) judge(start, task, worst);
+    const bool judged = way.method && task.t != 0;
+    const Errors errors = judged || columns.errors ? errorsOf(start, task, way) : Errors();
+    if (judged && !std::isnan(errors.attitude)) worst.add(task.t, errors.attitude, errors.energy_drift);
+    printMore(task, errors, columns, out.table);
+    out.table += '\n';
   }
   if (worst.lost()) out.warnings += "propagate: over these rows " + worst.text() + "\n";
   return out;
@@ -231,12 +263,15 @@ void write(const Output& out) {
 int main(int argc, char** argv) {
   CLI::App app(kAbout, "propagate");
   std::string method = poinsot::kClosedForm;
+  std::string columns = "states";
   std::optional<double> step;
   app.add_option("--method", method, "The method")
       ->check(poinsot::tools::oneOf(allMethodNames()))
       ->capture_default_str();
   poinsot::tools::addPositive(app, "--step", step, "s", "Longest step of a stepper [s]");
+  app.add_option("--columns", columns, poinsot::tools::kColumnsHelp)->check(poinsot::tools::notEmpty());
   if (const auto code = poinsot::tools::parse(app, argc, argv)) return *code;
-  return poinsot::tools::exitCodeOf<NoResult>("propagate", kNo, poinsot::tools::kBadUse,
-                                              [&] { write(run(readWay(method, step))); });
+  return poinsot::tools::exitCodeOf<NoResult>("propagate", kNo, poinsot::tools::kBadUse, [&] {
+    write(run(readWay(method, step), poinsot::tools::readColumns(columns)));
+  });
 }

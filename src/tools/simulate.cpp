@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "more_columns.h"
 #include "output_file.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/core/number_text.h"
@@ -183,10 +184,7 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("scene", options.scene, "The scene file")->required();
   app.add_option("--csv", options.csv, "Write the states there; - is standard output")->check(tools::notEmpty());
-  app.add_option(
-         "--columns", options.columns,
-         "What the CSV holds: states, and energy (E,Lx,Ly,Lz) and errors (attitude_error,energy_drift) if named")
-      ->check(tools::notEmpty());
+  app.add_option("--columns", options.columns, tools::kColumnsHelp)->check(tools::notEmpty());
   app.add_option("--bag", options.bag, "Write a bag there")->check(tools::notEmpty());
   tools::addPositive(app, "--duration", options.duration, "s",
                      "How long to simulate [s]; an accuracy in the scene holds at least so long")

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "bad_use.h"
 #include "poinsot/core/number_text.h"
 #include "poinsot/scene/motion_setup.h"
 
@@ -95,29 +93,11 @@ std::string worstErrorsText(const std::string& body, const Motion& motion, const
   return "body " + body + ": " + motion.setup().method + " with a step of " + step + " s: " + worst.text();
 }
 
-MoreColumns readColumns(const std::string& text) {
-  MoreColumns out;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    if (word == "energy") {
-      out.energy = true;
-    } else if (word == "errors") {
-      out.errors = true;
-    } else if (word != "states") {
-      throw BadUse("--columns", "states, energy and errors, separated by commas", '"' + word + '"');
-    }
-  }
-  return out;
-}
-
 std::vector<std::string> writeStateTable(const scene::Scene& scene, const SampleTimes& times,
                                          const MoreColumns& columns, TextSink& out,
                                          const std::function<void(std::int64_t)>& done) {
   const auto count = static_cast<std::int64_t>(times.count());
-  out.text() += "body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz";
-  if (columns.energy) out.text() += ",E,Lx,Ly,Lz";
-  if (columns.errors) out.text() += ",attitude_error,energy_drift";
-  out.text() += '\n';
+  out.text() += "body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz" + headerOf(columns) + "\n";
   std::vector<std::string> worst;
   for (const scene::Body& body : scene.bodies) {
     Run run(body);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "more_columns.h"
 #include "output_file.h"
 #include "poinsot/core/motion.h"
 #include "poinsot/scene/scene.h"
@@ -12,16 +13,6 @@
 #include "worst_errors.h"
 
 namespace poinsot::tools {
-
-/** Columns of a table of states besides the state. */
-struct MoreColumns {
-  bool energy = false;  ///< E,Lx,Ly,Lz: kinetic energy [J], L in world axes [kg·m²/s]
-  /** attitude_error,energy_drift: from the closed form [rad], nan under torques; relative to t = 0 */
-  bool errors = false;
-};
-
-/** Returns the columns named by "states", "energy" and "errors", separated by commas. Throws BadUse. */
-MoreColumns readColumns(const std::string& text);
 
 /**
  * Writes a scene's motion as CSV: body,t,qw,qx,qy,qz,O1,O2,O3,bx,by,bz and more, 17 significant digits, a row for each

@@ -33,7 +33,6 @@ class AccuracyTest(unittest.TestCase):
                            effects=[{"type": "translation", "position": [0.0, -7.0, 0.0]}]))
         cls.states = {b["name"]: graph.Listener("/%s/state" % b["name"], BodyState) for b in bodies}
         cls.descriptions = {b["name"]: graph.Listener("/%s/description" % b["name"], BodyDescription) for b in bodies}
-        os.environ["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"  # for the node: what it says is read while it runs
         cls.node = processes.start_node("", {"scene_file": cls.scene(bodies)})
 
     @classmethod

@@ -13,7 +13,7 @@ import rostest  # noqa: E402
 
 import graph  # noqa: E402
 import processes  # noqa: E402
-from poinsot.msg import BodyState  # noqa: E402
+from poinsot.msg import BodyDescription, BodyState  # noqa: E402
 
 GOOD = """
 rate: 60
@@ -112,6 +112,12 @@ class ParametersTest(unittest.TestCase):
         self.refused("a FIFO", {"scene_file": pipe}, [pipe, "got a FIFO"])
         self.refused("a number", {"scene_file": 7}, ["~scene_file", "7", "path"])
         self.refused("an empty path", {"scene_file": ""}, ["none that can be read"])
+        self.refused("a relative path", {"scene_file": "missing.yaml"},
+                     ["missing.yaml: expected a regular file", "means " + os.path.join(os.getcwd(), "missing.yaml")])
+        self.refused("a scene that the package does not have",
+                     {"scene_file": processes.package_path("scenes", "wingnutt.yaml")},
+                     ["scene: expected the path of a scene file or one of damped_tumble, dzhanibekov, ", ", wingnut, ",
+                      'got "wingnutt" (did you mean "wingnut"?)'])
 
     def test_bad_scenes_in_a_file(self):
         for what, text, words in BAD_SCENES:
@@ -139,6 +145,47 @@ class ParametersTest(unittest.TestCase):
         for value in (3, True, "a b", " ", "a-b", "/a", "1a"):
             self.refused("frame_prefix %r" % (value,), {"scene_file": self.good, "frame_prefix": value},
                          ["~frame_prefix", "letters"])
+
+    def test_method(self):
+        for parameters, words in (
+                ({"method": "magic"}, ['parameter ~method: body "top": expected one of the methods', 'got "magic"']),
+                ({"method": "bus2"}, ['(did you mean "buss2"?)']),
+                ({"method": 4}, ["parameter ~method: expected the name of a method, got 4"]),
+                ({"method": "taylor8"}, ["parameter ~method: ", "expected one of the methods that move this body"]),
+                ({"step": 0.01}, ["parameter ~step: expected no step, or one beside a ~method", "got 0.01 without a ~method"]),
+                ({"method": "closed_form", "step": 0.01}, ["parameter ~step: ", "got 0.01 beside closed_form"]),
+                ({"method": "rk4", "step": 0}, ["parameter ~step: expected a positive finite number (s), got 0"]),
+                ({"method": "rk4", "step": "soon"}, ["parameter ~step: expected a positive finite number (s)"]),
+                ({"method": "rk4", "step": 5}, ['parameter ~step: body "top": expected a step of at most', "rk4 with a step of 5 s"])):
+            self.refused("%s" % parameters, dict(parameters, scene_file=self.good), words)
+
+    def described(self, parameters):
+        """The description of the body, and what the node says."""
+        namespace, node, _ = self.runs(parameters)
+        descriptions = graph.Listener(namespace + "/top/description", BodyDescription)
+        description = graph.wait_for(descriptions.last, what="a description")
+        descriptions.close()
+        self.assertTrue(processes.eventually(lambda: "playing scene" in node.console), node.console)
+        return description, node.console
+
+    def test_method_and_step_hold_for_all_bodies(self):
+        description, console = self.described({"scene_file": self.good, "method": "rk4", "step": "1e-3"})
+        self.assertEqual((description.method, description.step), ("rk4", 1e-3))
+        self.assertIn("top by rk4 with a step of 0.001 s", console)
+        description, _ = self.described({"scene_file": self.good, "method": "lie_euler"})
+        self.assertEqual(description.method, "lie_euler")
+        self.assertGreater(description.step, 0)
+        accurate = self.file(GOOD + "    accuracy: 1e-6\n    horizon: 10\n", "accurate.yaml")
+        self.assertEqual(self.described({"scene_file": accurate, "method": "buss2"})[0].method, "buss2")
+
+    def test_the_node_says_what_it_plays(self):
+        namespace, node, _ = self.runs({"scene_file": self.good, "rate": 20, "frame_prefix": "a/"})
+        expected = "playing scene good (%s) at 20 Hz in namespace %s, frames with the prefix a/: top by closed_form" % (
+            self.good, namespace)
+        self.assertTrue(processes.eventually(lambda: expected in node.console), node.console)
+        namespace, node, _ = self.runs({}, self.good)
+        expected = "playing the scene of parameter %s/poinsot/scene at 60 Hz" % namespace
+        self.assertTrue(processes.eventually(lambda: expected in node.console), node.console)
 
     def runs(self, parameters, scene_tree_file=None):
         namespace, node = self.start(parameters, scene_tree_file)
@@ -187,10 +234,12 @@ class ParametersTest(unittest.TestCase):
         self.assertIn("closed_form, which has no step", err)
 
     def test_check(self):
-        self.assertEqual(processes.run([self.node, "--check", self.good])[0], 0)
+        code, out, err = processes.run([self.node, "--check", self.good])
+        self.assertEqual((code, out, err), (0, "top: closed_form, about the axis of largest moment\nno fault\n", ""))
         code, out, err = processes.run([self.node, "--check", self.file(GOOD.replace("[1, 2, 3]", "[1, 2, 10]"))])
         self.assertEqual(code, 0)
         self.assertIn("no real body", err)
+        self.assertTrue(out.endswith("no fault, one warning\n"), out)
         for what, text, words in BAD_SCENES:
             with self.subTest(what):
                 path = self.file(text)
@@ -203,7 +252,7 @@ class ParametersTest(unittest.TestCase):
     def test_options(self):
         code, out, _ = processes.run([self.node, "--help"])
         self.assertEqual(code, 0)
-        for word in ("~scene", "~scene_file", "~rate", "~publish_clock", "~frame_prefix", "--check"):
+        for word in ("~scene", "~scene_file", "~rate", "~method", "~step", "~publish_clock", "~frame_prefix", "--check"):
             self.assertIn(word, out)
         for arguments in (["--nonsense"], ["--check"], ["some.yaml"]):
             with self.subTest(arguments):

@@ -123,7 +123,8 @@ TEST(Scene, BodiesAreANonEmptyListOfMaps) {
 TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
   expectRefused("speed: 1\n" + named({"a"}), 1, "speed",
                 {"got \"speed\"$", "expected one of the keys rate, bodies, got"});
-  expectRefused("body: 1\n" + named({"a"}), 1, "body", {"got \"body\"$", "expected one of the keys rate, bodies, got"});
+  expectRefused("body: 1\n" + named({"a"}), 1, "body",
+                {"got \"body\" (did you mean \"bodies\"?)$", "expected one of the keys rate, bodies, got"});
   expectRefused(named({"a"}) + "Rate: 60\n", 5, "Rate",
                 {" (did you mean \"rate\"?)$", "expected one of the keys rate, bodies, got"});
   const std::string expected =
@@ -133,8 +134,31 @@ TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
   expectKeyRefused("atitude: [1, 0, 0, 0]", ".atitude", {" (did you mean \"attitude\"?)$", expected});
   expectKeyRefused("angular_velocty: [1, 0, 0]", ".angular_velocty",
                    {" (did you mean \"angular_velocity\"?)$", expected});
-  expectKeyRefused("omega: [1, 0, 0]", ".omega", {"got \"omega\"$", expected});
   expectKeyRefused("<<: {step: 1}", ".<<", {"got \"<<\"$", expected});
+}
+
+TEST(Scene, OtherWordsForAKeyLeadToIt) {
+  const auto expectMeant = [](const std::string& key, const std::string& meant) {
+    expectKeyRefused(key + ": 1", "." + key, {"got \"" + key + "\" (did you mean \"" + meant + "\"", "?)$"});
+  };
+  expectKeyRefused("omega: [1, 0, 0]", ".omega", {"got \"omega\" (did you mean \"angular_velocity\"?)$"});
+  expectKeyRefused("mass: 1", ".mass", {"(did you mean \"shape\", which takes a type with its sizes and mass?)$"});
+  expectKeyRefused("position: [1, 0, 0]", ".position",
+                   {"(did you mean \"effects\", which take type: translation with a position?)$"});
+  for (const char* key : {"Omega", "w", "spin", "angular_rate"}) expectMeant(key, "angular_velocity");
+  for (const char* key : {"size", "dimensions", "geometry", "box"}) expectMeant(key, "shape");
+  for (const char* key : {"moments", "tensor", "moment_of_inertia"}) expectMeant(key, "inertia");
+  for (const char* key : {"orientation", "quaternion"}) expectMeant(key, "attitude");
+  for (const char* key : {"dt", "time_step"}) expectMeant(key, "step");
+  for (const char* key : {"integrator", "solver"}) expectMeant(key, "method");
+  for (const char* key : {"velocity", "torque", "gravity", "damping"}) expectMeant(key, "effects");
+  expectMeant("tolerance", "accuracy");
+  expectMeant("duration", "horizon");
+  expectMeant("mesh", "appearance");
+  // Each place has its own meaning of a word.
+  expectKeyRefused("shape: {type: box, dimensions: [1, 1, 1], mass: 1}", ".shape.dimensions",
+                   {"(did you mean \"size\"?)$"});
+  expectRefused("frequency: 60\n" + named({"a"}), 1, "frequency", {"(did you mean \"rate\"?)$"});
 }
 
 TEST(Scene, SuggestionsEndAtTwoEdits) {

@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "scene_text.h"
 
 using poinsot::scene::Error;
@@ -38,6 +40,11 @@ TEST(File, ThatCannotBeRead) {
                        0),
             0u)
       << messageOf("/nowhere/spin.yaml");
+  const std::string relative = messageOf("nowhere/spin.yaml");
+  const std::string place = "No such file or directory: the relative path means " +
+                            std::filesystem::current_path().string() + "/nowhere/spin.yaml";
+  EXPECT_EQ(relative.rfind("nowhere/spin.yaml: expected a regular file", 0), 0u) << relative;
+  EXPECT_NE(relative.find(place), std::string::npos) << relative;
   EXPECT_EQ(messageOf("/tmp"), "/tmp: expected a regular file of at most 4194304 bytes, got a directory");
 }
 

@@ -37,7 +37,8 @@ TEST(Method, EveryOneOfTheTableIsAllowed) {
 }
 
 TEST(Method, UnknownOnesAreRefused) {
-  expectKeyRefused("method: euler", ".method", {"got \"euler\"$", "expected one of " + allNames() + ", got"});
+  expectKeyRefused("method: euler", ".method",
+                   {"got \"euler\" (did you mean \"lie_euler\"?)$", "expected one of " + allNames() + ", got"});
   expectKeyRefused("method: bus2", ".method", {"got \"bus2\" (did you mean \"buss2\"?)$"});
   expectKeyRefused("method: RK4", ".method", {"got \"RK4\" (did you mean \"rk4\"?)$"});
   expectKeyRefused("method: closed", ".method", {"got \"closed\"$"});

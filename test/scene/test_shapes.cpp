@@ -103,7 +103,7 @@ TEST(Shape, AssemblyPlacesItsParts) {
 TEST(Shape, TypesAndKeys) {
   const std::string types = "box, ellipsoid, cylinder, t_handle, wingnut, l_shape, two_cylinders, assembly";
   expectKeyRefused("shape: {type: sphere, mass: 1}", ".shape.type",
-                   {"got \"sphere\"$", "expected one of " + types + ", got"});
+                   {"got \"sphere\" (did you mean \"ellipsoid\"?)$", "expected one of " + types + ", got"});
   expectKeyRefused("shape: {type: bix, mass: 1}", ".shape.type",
                    {" (did you mean \"box\"?)$", "expected one of " + types + ", got"});
   expectKeyRefused("shape: {mass: 1}", ".shape", {"expected the key type, ", types});

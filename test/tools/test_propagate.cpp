@@ -167,6 +167,45 @@ TEST(Propagate, columnsInAnyOrderOthersIgnoredCommentsSkipped) {
   }
 }
 
+TEST(Propagate, moreColumns) {
+  const auto rowOf = [](const Outcome& outcome, const std::string& header) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::istringstream in(outcome.out);
+    std::string line, cell;
+    std::getline(in, line);
+    EXPECT_EQ(line, "id,t,qw,qx,qy,qz,O1,O2,O3" + header);
+    std::getline(in, line);
+    std::istringstream cells(line);
+    std::getline(cells, cell, ',');
+    std::vector<double> out;
+    while (std::getline(cells, cell, ',')) out.push_back(std::strtod(cell.c_str(), nullptr));
+    return out;
+  };
+  const std::string every = "--columns states,energy,errors", header = ",E,Lx,Ly,Lz,attitude_error,energy_drift";
+  const auto exact = rowOf(propagate(every, kHeader + kRow), header);
+  const auto stepped = rowOf(propagate("--method lie_euler --step 0.01 " + every, kHeader + kRow), header);
+  ASSERT_EQ(exact.size(), 14u);
+  ASSERT_EQ(stepped.size(), 14u);
+  const Eigen::Vector3d moments(1, 2, 3), start(0.01, 1, 0.02);
+  const auto attitude = [](const std::vector<double>& v) { return Eigen::Quaterniond(v[1], v[2], v[3], v[4]); };
+  for (const auto& v : {exact, stepped}) {
+    const Eigen::Vector3d omega(v[5], v[6], v[7]), momentum = attitude(v) * moments.cwiseProduct(omega).eval();
+    EXPECT_NEAR(v[8], 0.5 * omega.dot(moments.cwiseProduct(omega)), 1e-15);
+    EXPECT_LT((Eigen::Vector3d(v[9], v[10], v[11]) - momentum).norm(), 1e-15);
+    EXPECT_NEAR(v[13], v[8] / (0.5 * start.dot(moments.cwiseProduct(start))) - 1, 1e-15);
+  }
+  EXPECT_EQ(exact[12], 0);
+  EXPECT_NEAR(stepped[12], attitude(exact).angularDistance(attitude(stepped)), 1e-7);
+  EXPECT_GT(stepped[12], 1e-5);
+  EXPECT_GT(std::abs(stepped[13]), 1e-6);
+
+  const std::string plain = propagate("", kHeader + kRow).out;
+  EXPECT_EQ(propagate("--columns states", kHeader + kRow).out, plain);
+  EXPECT_EQ(rowOf(propagate("--columns energy", kHeader + kRow), ",E,Lx,Ly,Lz").size(), 12u);
+  expectRefused(propagate("--columns speed", kHeader + kRow),
+                {"--columns: expected states, energy and errors", "\"speed\""});
+}
+
 TEST(Propagate, hexadecimalNumbersAreExact) {
   const std::string decimal = kHeader + "a,1,2,3,1,0,0,0,0.10000000000000001,1,0.02,2.5\n";
   const std::string hex =

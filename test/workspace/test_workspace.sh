@@ -95,6 +95,7 @@ check_scene() {
   in_space "$install" bash -c 'rosrun poinsot poinsot_node --check "$(rospack find poinsot)/scenes/dzhanibekov.yaml"'
 }
 check "rosrun poinsot poinsot_node --check scenes/dzhanibekov.yaml" check_scene
+check "rosrun poinsot plot.py --help" in_space "$install" rosrun poinsot plot.py --help
 check "rosrun poinsot check_bag --help" in_space "$install" rosrun poinsot check_bag --help
 check "rosmsg show poinsot/BodyState" in_space "$install" rosmsg show poinsot/BodyState
 check "the messages are there for Python" in_space "$install" python3 -c 'from poinsot.msg import BodyDescription, BodyState'

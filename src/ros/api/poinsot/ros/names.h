@@ -36,6 +36,8 @@ inline constexpr const char* kSceneFile = "scene_file";
 inline constexpr const char* kRate = "rate";
 inline constexpr const char* kPublishClock = "publish_clock";
 inline constexpr const char* kFramePrefix = "frame_prefix";
+inline constexpr const char* kMethod = "method";
+inline constexpr const char* kMethodStep = "step";
 
 // Frames.
 inline constexpr const char* kWorld = "world";

@@ -11,7 +11,7 @@ namespace poinsot::node {
 
 /** The node's private parameters, validated. */
 struct Parameters {
-  scene::Scene scene;                 ///< accuracies are still to be met by a method and a step
+  scene::Scene scene;                 ///< under ~method, if that is set; accuracies are still to be met
   std::string scene_file;             ///< its path; empty where it came as a tree
   double rate = scene::kDefaultRate;  ///< [Hz]
   bool publish_clock = false;
@@ -25,8 +25,9 @@ class ParameterError : public std::runtime_error {
 };
 
 /**
- * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~publish_clock` and `~frame_prefix`.
- * Throws ParameterError, or scene::Error for a bad scene or rate.
+ * Reads `~scene` (a tree) or `~scene_file` (a path), `~rate`, `~method`, `~step`, `~publish_clock` and
+ * `~frame_prefix`. Throws ParameterError; scene::Error for a bad scene, rate or step; std::invalid_argument for a scene
+ * that the package does not have.
  */
 Parameters readParameters(const ros::NodeHandle& private_handle);
 

@@ -15,6 +15,12 @@ std::vector<std::string> sceneNames();
  */
 std::string sceneFile(const std::string& name_or_path);
 
+/**
+ * Throws std::invalid_argument, with the names of the scenes, where the path is that of one of the package's scenes and
+ * there is none of this name. Any other path is left to whoever reads it.
+ */
+void requireKnownScene(const std::string& path);
+
 /** Returns "spin" for "/any/where/spin.yaml". */
 std::string sceneName(const std::string& file);
 

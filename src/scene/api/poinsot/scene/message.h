@@ -12,7 +12,10 @@ std::string expectedGot(const std::string& expected, const std::string& got, con
 /** "a, b, c". */
 std::string joined(const std::vector<std::string>& words);
 
-/** ` (did you mean "step"?)` where one of the candidates is at most two edits away; otherwise empty. */
+/**
+ * ` (did you mean "step"?)` where one of the candidates is another word for this one (`dt`), or at most two edits away;
+ * otherwise empty.
+ */
 std::string didYouMean(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace poinsot::scene

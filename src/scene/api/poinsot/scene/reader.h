@@ -39,6 +39,9 @@ Scene readFile(const std::string& path, const ReadOptions& options = {});
  */
 Scene readTree(const YAML::Node& tree, const std::string& source, const ReadOptions& options = {});
 
+/** Returns a step [s] under the rules of a body's key `step`. Throws Error. @param source names the place. */
+double readStep(const YAML::Node& node, const std::string& source);
+
 /** Returns a rate [Hz] under the rules of a scene's key `rate`. Throws Error. @param source names the place. */
 double readRate(const YAML::Node& node, const std::string& source);
 

@@ -7,9 +7,20 @@
 #include "poinsot/cost/cost_meter.h"
 #include "poinsot/session/companion.h"
 #include "poinsot/session/moving_body.h"
+#include "poinsot/session/status.h"
 #include "poinsot/view/polhode.h"
 
 namespace poinsot::session {
+
+/** Returns the regime of the free motion that begins at the body's start; under torques, if they did not act. */
+view::Regime regimeOf(const scene::Body& body);
+
+/**
+ * Returns what is known of a body's free motion at t [s]; nothing for a body under torques.
+ * @param regime of that motion, as regimeOf() returns it.
+ * @param speed of play: its sign says on which side of t the next flip is looked for.
+ */
+std::optional<FreeMotion> freeMotion(const Motion& motion, view::Regime regime, double time, double speed);
 
 /** A body that plays: with its companion outside of the session and, where that is measured, what it costs. */
 class Body : public MovingBody {
