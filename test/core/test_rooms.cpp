@@ -226,7 +226,10 @@ std::set<std::string> linksOfTheBuild() {
     const std::string name = room.path().filename();
     std::smatch call;
     const std::string text = contentOf(fs::path("src") / name / "CMakeLists.txt");
-    if (!std::regex_search(text, call, std::regex("target_link_libraries\\(poinsot_" + name + "([^)]*)\\)"))) continue;
+    // The panel's library has a shorter name, as RViz's users know it.
+    const std::string library_name = name == "rviz_panel" ? "rviz" : name;
+    if (!std::regex_search(text, call, std::regex("target_link_libraries\\(poinsot_" + library_name + "([^)]*)\\)")))
+      continue;
     const std::string libraries = call[1];
     const std::regex library(R"(poinsot_(\w+))");
     for (std::sregex_iterator it(libraries.begin(), libraries.end(), library), end; it != end; ++it) {
@@ -241,7 +244,7 @@ TEST(Rooms, thePictureShowsWhatTheyLink) {
   const std::string picture = contentOf("doc/architecture_rooms.svg");
   const std::regex arrow(R"x(data-links="([^"]+)")x");
   for (std::sregex_iterator it(picture.begin(), picture.end(), arrow), end; it != end; ++it) drawn.insert((*it)[1]);
-  EXPECT_EQ(drawn.size(), 6U);
+  EXPECT_EQ(drawn.size(), 7U);
   EXPECT_EQ(drawn, linksOfTheBuild()) << "doc/architecture_rooms.svg and the CMakeLists.txt of the rooms differ";
 }
 

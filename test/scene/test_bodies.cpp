@@ -122,15 +122,15 @@ TEST(Scene, BodiesAreANonEmptyListOfMaps) {
 
 TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
   expectRefused("speed: 1\n" + named({"a"}), 1, "speed",
-                {"got \"speed\"$", "expected one of the keys rate, bodies, got"});
+                {"got \"speed\"$", "expected one of the keys rate, loop, bodies, drawings, got"});
   expectRefused("body: 1\n" + named({"a"}), 1, "body",
-                {"got \"body\" (did you mean \"bodies\"?)$", "expected one of the keys rate, bodies, got"});
+                {"got \"body\" (did you mean \"bodies\"?)$", "expected one of the keys rate, loop, bodies, drawings, got"});
   expectRefused(named({"a"}) + "Rate: 60\n", 5, "Rate",
-                {" (did you mean \"rate\"?)$", "expected one of the keys rate, bodies, got"});
+                {" (did you mean \"rate\"?)$", "expected one of the keys rate, loop, bodies, drawings, got"});
   const std::string expected =
       "expected one of the keys name, inertia, shape, appearance, attitude, angular_velocity, method, step, accuracy, "
-      "horizon, effects, got";
-  expectKeyRefused("colour: red", ".colour", {"got \"colour\"$", expected});
+      "horizon, effects, pictures, stand, colour, got";
+  expectKeyRefused("weather: red", ".weather", {"got \"weather\"$", expected});
   expectKeyRefused("atitude: [1, 0, 0, 0]", ".atitude", {" (did you mean \"attitude\"?)$", expected});
   expectKeyRefused("angular_velocty: [1, 0, 0]", ".angular_velocty",
                    {" (did you mean \"angular_velocity\"?)$", expected});

@@ -166,7 +166,7 @@ TEST(Text, NestedTooDeeplyIsRefused) {
 TEST(Text, OfManyKeysIsReadInGoodTime) {
   std::string text;
   for (int i = 0; i < 240000; ++i) text += "key_" + std::to_string(i) + ": 1\n";
-  EXPECT_EQ(messageOfText(text), "1: key_0: expected one of the keys rate, bodies, got \"key_0\"");
+  EXPECT_EQ(messageOfText(text), "1: key_0: expected one of the keys rate, loop, bodies, drawings, got \"key_0\"");
 }
 
 TEST(Path, ToAnythingButARegularFileIsRefused) {

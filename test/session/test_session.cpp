@@ -27,6 +27,40 @@ TEST_F(Control, aPauseHoldsAndAStepAdvancesByOnePeriod) {
   EXPECT_NEAR(tick(1)->time, held + 0.01, 1e-12);
 }
 
+TEST_F(Control, aSceneInRoundsBeginsAgainInANewSegment) {
+  scene::Scene scene = twoBodies();
+  scene.loop = 2.0;
+  play(scene);
+  const auto first = segment();
+  tick(1.9);
+  EXPECT_EQ(segment(), first);
+  const auto next = tick(0.2);
+  EXPECT_EQ(next->time, 0);
+  EXPECT_EQ(segment(), first + 1);
+  EXPECT_EQ(bodyNamed("wing").state().time, 0);
+  EXPECT_NEAR(tick(0.5)->time, 0.5, 1e-12) << "and goes on";
+}
+
+TEST_F(Control, aSceneInRoundsPlaysBackwardsFromItsEnd) {
+  scene::Scene scene = twoBodies();
+  scene.loop = 2.0;
+  play(scene);
+  ask(SetSpeed{-1});
+  tick(0.01);
+  EXPECT_EQ(tick(0.5)->time, 2.0);
+  EXPECT_NEAR(tick(0.5)->time, 1.5, 1e-12);
+}
+
+TEST_F(Control, aPauseBeyondTheEndOfARoundHolds) {
+  scene::Scene scene = twoBodies();
+  scene.loop = 2.0;
+  play(scene);
+  ask(Pause{true});
+  ask(Seek{5});
+  tick();
+  EXPECT_EQ(tick()->time, 5);
+}
+
 TEST_F(Control, speedsThatAreNoNumbersAreRefused) {
   for (const double speed : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(ask(SetSpeed{speed})->refusal->reason, Reason::not_finite);

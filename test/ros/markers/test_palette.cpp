@@ -34,14 +34,15 @@ TEST(Palette, contrastIsWhatWcagSays) {
   EXPECT_NEAR(contrast(bytes(255, 255, 255), bytes(119, 119, 119)), 4.48, 0.01);
 }
 
-TEST(Palette, textReadsOnDarkAndOnLight) {
-  for (const ColorRGBA& c :
-       {palette::kLabel, palette::kOmega, palette::kAngularMomentum, palette::kTorque, palette::kGravity}) {
-    EXPECT_GE(contrast(c, kDark), 3) << c;
-    EXPECT_GE(contrast(c, kLight), 3) << c;
+TEST(Palette, textReadsOnDarkAndOnLight) {  // WCAG 2.1, AA
+  for (const ColorRGBA& c : {palette::kLabel, palette::kOmega, palette::kAngularMomentum, palette::kTorque,
+                             palette::kGravity, palette::kEnergy, palette::kMomentumName, palette::kPolhode}) {
+    EXPECT_GE(contrast(palette::asText(c, false), kDark), 4.5) << c;
+    EXPECT_GE(contrast(palette::asText(c, true), kLight), 4.5) << c;
   }
-  // White would not.
-  EXPECT_LT(contrast(palette::kPolhode, kLight), 2);
+  EXPECT_LT(contrast(palette::kPolhode, kLight), 2) << "white as it is would not";
+  EXPECT_LT(contrast(palette::kAngularMomentum, kDark), 4.5) << "nor would the green of arrows";
+  EXPECT_EQ(palette::asText(palette::kPolhode, false), palette::kPolhode) << "what can be read stays as it is";
 }
 
 TEST(Palette, arrowsAndLinesThatLeaveTheEllipsoidsDoSoToo) {
