@@ -167,7 +167,7 @@ void Panel::onStatus(const NodeStatus& status) {
   }
   scene_ = scene;
   notice_->showStatus(status);
-  time_->showTime(status.time);
+  time_->showStatus(status);
   method_->showStatus(status);
   read_outs_->showStatus(status, method_->body());
 }
@@ -203,7 +203,7 @@ void Panel::refresh() {
   if (!isVisible()) return;
   if (newest_) {
     read_outs_->showState(*newest_);
-    time_->showTime(newest_->time);
+    time_->showState(*newest_);
     newest_.reset();
   }
   plots_->refresh();

@@ -33,6 +33,11 @@ bool isChanging(const NodeStatus& status) {
                      [](const Activity& activity) { return activity.kind != Activity::SEEK; });
 }
 
+bool isSeeking(const NodeStatus& status) {
+  return std::any_of(status.activities.begin(), status.activities.end(),
+                     [](const Activity& activity) { return activity.kind == Activity::SEEK; });
+}
+
 QString activityText(const NodeStatus& status) {
   QStringList texts;
   for (const Activity& activity : status.activities) texts << textOf(activity);

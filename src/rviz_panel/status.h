@@ -10,6 +10,9 @@ namespace poinsot::rviz_panel {
 /** Returns whether another scene, method or spin, or a reset, is being worked out; a seek changes none of these. */
 bool isChanging(const NodeStatus& status);
 
+/** Returns whether the node is stepping to another time. */
+bool isSeeking(const NodeStatus& status);
+
 /** Returns what is being worked out, such as "method rk4 of wing and seek"; empty when nothing is. */
 QString activityText(const NodeStatus& status);
 

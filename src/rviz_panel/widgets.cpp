@@ -7,6 +7,7 @@
 #include <QProxyStyle>
 #include <QResizeEvent>
 #include <QSignalBlocker>
+#include <utility>
 
 namespace poinsot::rviz_panel {
 namespace {
@@ -35,6 +36,25 @@ class WheelGuard : public QObject {
 void leaveWheelToPanel(QWidget* widget) {
   widget->setFocusPolicy(Qt::StrongFocus);
   widget->installEventFilter(new WheelGuard(widget));
+}
+
+/** Whether a key moves the cursor in a line of text, or changes the text. */
+bool changes(const QKeyEvent& event) {
+  if (!event.text().isEmpty() && event.text().at(0).isPrint()) return true;
+  for (const auto key : {QKeySequence::Paste, QKeySequence::SelectAll}) {
+    if (event.matches(key)) return true;
+  }
+  switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+      return true;
+    default:
+      return false;
+  }
 }
 
 QStringList itemsOf(const QComboBox& combo) {
@@ -142,6 +162,11 @@ LiveEdit::LiveEdit(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::returnPressed, this, &LiveEdit::letGo);
 }
 
+void LiveEdit::hold() {
+  if (std::exchange(held_, true)) return;
+  selectAll();
+}
+
 void LiveEdit::letGo() {
   held_ = false;
   setModified(false);
@@ -150,12 +175,12 @@ void LiveEdit::letGo() {
 
 void LiveEdit::mousePressEvent(QMouseEvent* event) {
   QLineEdit::mousePressEvent(event);
-  if (held_) return;  // a second click is to a place in the text
-  held_ = true;
-  selectAll();
+  hold();  // a second click is to a place in the text
 }
 
-void LiveEdit::mouseDoubleClickEvent(QMouseEvent*) {
+void LiveEdit::mouseDoubleClickEvent(QMouseEvent* event) {
+  QLineEdit::mouseDoubleClickEvent(event);  // from which Qt knows that a third click belongs to it
+  hold();
   selectAll();  // and not the digits before or after the point
 }
 
@@ -164,12 +189,19 @@ void LiveEdit::keyPressEvent(QKeyEvent* event) {
     letGo();
     return;
   }
+  if (changes(*event)) hold();
   QLineEdit::keyPressEvent(event);
+}
+
+void LiveEdit::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  const Qt::FocusReason reason = event->reason();
+  if (reason == Qt::ShortcutFocusReason || reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) hold();
 }
 
 void LiveEdit::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
-  letGo();
+  if (event->reason() != Qt::PopupFocusReason) letGo();  // its own menu
 }
 
 void showText(QLineEdit* edit, const QString& text) {

@@ -53,8 +53,9 @@ QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide = 1)
 void setLetters(QWidget* widget, double size, bool bold = false);
 
 /**
- * A line that shows what changes by itself, and can be typed over: from a click on it stays as it is, all of it
- * selected, until Enter, Escape or until it is left.
+ * A line that shows what changes by itself, and can be typed over. It stays as it is from a click, from when its key or
+ * Tab leads to it (all of it is then selected) and from the first key that changes it (what is typed replaces all of
+ * it), until Enter, Escape or until it is left. A double or triple click selects all of it.
  */
 class LiveEdit : public QLineEdit {
   Q_OBJECT
@@ -67,9 +68,11 @@ class LiveEdit : public QLineEdit {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  void hold();
   void letGo();
   bool held_ = false;
 };

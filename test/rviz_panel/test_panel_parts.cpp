@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "asked_time.h"
 #include "hidden_parts.h"
 #include "history.h"
 #include "momentum_camera.h"
@@ -93,6 +94,38 @@ TEST(TimePage, sharesAndTimes) {
   EXPECT_EQ(page.shareAt(-1e300), 0);
   EXPECT_EQ(page.shareAt(kInfinity), 1);
   EXPECT_EQ(page.shareAt(kNaN), 0);
+}
+
+TEST(AskedTime, hidesWhatIsFromBeforeTheJump) {
+  AskedTime asked;
+  EXPECT_FALSE(asked.hides(4, false, 0)) << "nothing was asked for";
+  asked.ask(10);
+  EXPECT_TRUE(asked.hides(4, false, 10.1));
+  EXPECT_FALSE(asked.hides(5, false, 10.2)) << "the node is there";
+  EXPECT_TRUE(asked.hides(4, false, 10.3)) << "a message that came late";
+  EXPECT_FALSE(asked.hides(5, false, 10.4));
+}
+
+TEST(AskedTime, waitsForANodeThatSeeks) {
+  AskedTime asked;
+  asked.hides(4, false, 0);
+  asked.ask(10);
+  for (double now = 10; now < 60; now += 0.5) EXPECT_TRUE(asked.hides(4, true, now)) << now;
+  EXPECT_TRUE(asked.hides(4, false, 60));
+  EXPECT_FALSE(asked.hides(5, false, 60.1));
+}
+
+TEST(AskedTime, givesUpWhatLeadsNowhere) {
+  AskedTime asked;
+  asked.ask(0);
+  EXPECT_FALSE(asked.hides(4, false, 0.1)) << "nothing was heard before";
+  asked.ask(10);
+  EXPECT_TRUE(asked.hides(4, false, 10 + AskedTime::kPatience / 2));
+  EXPECT_FALSE(asked.hides(4, false, 10.1 + AskedTime::kPatience));
+  EXPECT_FALSE(asked.hides(4, false, 10.2 + AskedTime::kPatience));
+  asked.ask(20);
+  asked.end();
+  EXPECT_FALSE(asked.hides(4, false, 20)) << "something else was asked for";
 }
 
 poinsot::BodyState stateAt(double stamp, double time, unsigned segment = 0) {

@@ -1,0 +1,165 @@
+// Widgets of the panel by themselves: on no display, without RViz, without a node.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include "node_link.h"
+#include "time_control.h"
+#include "widgets.h"
+
+namespace {
+
+using namespace poinsot::rviz_panel;
+
+/** A window with a line that shows a t which goes on, and another widget that can have the focus. */
+class TypedTime : public testing::Test {
+ protected:
+  TypedTime() {
+    auto* const layout = new QVBoxLayout(&window_);
+    layout->addWidget(labelOf(&edit_, "t&ime"));
+    layout->addWidget(&edit_);
+    layout->addWidget(&other_);
+    window_.show();
+    QApplication::setActiveWindow(&window_);
+    other_.setFocus();
+    arrive("12.35");
+  }
+  ~TypedTime() override {
+    edit_.setParent(nullptr);
+    other_.setParent(nullptr);
+  }
+  void arrive(const char* time) { showText(&edit_, time); }
+  std::string text() const { return edit_.text().toStdString(); }
+
+  LiveEdit edit_;
+  QLineEdit other_;
+  QWidget window_;
+};
+
+TEST_F(TypedTime, runsWhileNobodyTypes) {
+  arrive("12.45");
+  EXPECT_EQ(text(), "12.45");
+}
+
+TEST_F(TypedTime, aClickADoubleClickAndATripleClickSelectAllOfIt) {
+  const QPoint middle(edit_.width() / 2, edit_.height() / 2);
+  QTest::mouseClick(&edit_, Qt::LeftButton, {}, middle);
+  EXPECT_EQ(edit_.selectedText(), "12.35");
+  QTest::mouseDClick(&edit_, Qt::LeftButton, {}, middle);
+  EXPECT_EQ(edit_.selectedText(), "12.35");
+  QTest::mouseClick(&edit_, Qt::LeftButton, {}, middle);  // the third of a triple click
+  EXPECT_EQ(edit_.selectedText(), "12.35");
+  arrive("99.99");
+  QTest::keyClicks(&edit_, "7");
+  EXPECT_EQ(text(), "7");
+}
+
+TEST_F(TypedTime, itsKeyLeadsToItAndSelectsAllOfIt) {
+  QTest::keyClick(&window_, Qt::Key_I, Qt::AltModifier);
+  QApplication::processEvents();
+  ASSERT_TRUE(edit_.hasFocus());
+  EXPECT_EQ(edit_.selectedText(), "12.35");
+  arrive("12.45");
+  EXPECT_EQ(edit_.selectedText(), "12.35") << "it stands still, and is still selected";
+  QTest::keyClicks(&edit_, "1e9");
+  EXPECT_EQ(text(), "1e9");
+}
+
+TEST_F(TypedTime, whatIsTypedIsNotOverwritten) {
+  edit_.setFocus(Qt::OtherFocusReason);  // as when the window comes to the front
+  arrive("12.45");
+  EXPECT_EQ(text(), "12.45");
+  for (const char* digit : {"4", "2", ".", "5"}) {
+    QTest::keyClicks(&edit_, digit);
+    arrive("13.00");
+  }
+  EXPECT_EQ(text(), "42.5") << "the digits replace what was there, one after the other";
+  QTest::keyClick(&edit_, Qt::Key_Left);
+  arrive("13.10");
+  QTest::keyClick(&edit_, Qt::Key_Backspace);
+  arrive("13.20");
+  EXPECT_EQ(text(), "425");
+}
+
+TEST_F(TypedTime, goesOnAfterEnterEscapeOrElsewhere) {
+  const auto typed = [this] {
+    edit_.setFocus();
+    QTest::keyClicks(&edit_, "5");
+    arrive("13.00");
+    EXPECT_EQ(text(), "5");
+  };
+  typed();
+  QTest::keyClick(&edit_, Qt::Key_Return);
+  arrive("14.00");
+  EXPECT_EQ(text(), "14.00");
+  typed();
+  QTest::keyClick(&edit_, Qt::Key_Escape);
+  arrive("15.00");
+  EXPECT_EQ(text(), "15.00");
+  typed();
+  other_.setFocus();
+  arrive("16.00");
+  EXPECT_EQ(text(), "16.00");
+}
+
+class TimeField : public testing::Test {
+ protected:
+  TimeField() : control_(&link_), edit_(control_.findChild<QLineEdit*>("time")) {
+    control_.show();
+    QApplication::setActiveWindow(&control_);
+  }
+  void state(double time, unsigned segment) {
+    poinsot::BodyState message;
+    message.time = time;
+    message.segment = segment;
+    control_.showState(message);
+  }
+  void type(const char* text) {
+    edit_->setFocus();
+    QTest::keyClicks(edit_, text);
+    QTest::keyClick(edit_, Qt::Key_Return);
+  }
+  std::string text() const { return edit_->text().toStdString(); }
+
+  NodeLink link_;
+  TimeControl control_;
+  QLineEdit* edit_;
+};
+
+TEST_F(TimeField, showsTheTimeThatWasAskedForUntilTheNodeIsThere) {
+  state(3, 7);
+  EXPECT_EQ(text(), "3.00");
+  type("50");
+  EXPECT_EQ(text(), "50.00");
+  poinsot::NodeStatus status;
+  status.segment = 7;
+  status.time = 3.1;
+  control_.showStatus(status);
+  state(3.2, 7);
+  EXPECT_EQ(text(), "50.00") << "the old time came through";
+  state(50.1, 8);
+  EXPECT_EQ(text(), "50.10");
+  control_.showStatus(status);
+  EXPECT_EQ(text(), "50.10") << "a message from before the jump, which came late";
+  state(50.2, 8);
+  EXPECT_EQ(text(), "50.20");
+}
+
+TEST_F(TimeField, isNotChangedByWhatIsNoTime) {
+  state(3, 7);
+  type("soon");
+  state(3.1, 7);
+  EXPECT_EQ(text(), "3.10");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("ROS_MASTER_URI", "http://127.0.0.1:1");  // where nobody is
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
