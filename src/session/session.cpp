@@ -201,6 +201,7 @@ Status Session::status() const {
     body.step = setup.step;
     body.methods = scene::methodsFor(playing_.scene.bodies[i]);
     const Body& seen = drawn(i);
+    if (&seen != bodies_[i].get()) body.held = seen.state().invariants();
     if (const ClosedForm* exact = seen.motion().closedForm()) {
       const MotionSetup& start = seen.motion().setup();
       body.free.emplace();

@@ -11,6 +11,7 @@
 #include "hidden_parts.h"
 #include "history.h"
 #include "momentum_camera.h"
+#include "regime_text.h"
 #include "speed_scale.h"
 #include "status.h"
 #include "text.h"
@@ -230,6 +231,29 @@ TEST(Status, saysWhatIsBeingWorkedOut) {
   status.activities = {activity(200, "", "", "")};
   EXPECT_EQ(activityText(status), "a change") << "of a kind that a later version may add";
   EXPECT_TRUE(isChanging(status));
+}
+
+std::string regime(std::uint8_t kind, bool flips, const char* words = "") {
+  poinsot::BodyStatus body;
+  body.regime_kind = kind;
+  body.flips = flips;
+  body.regime = words;
+  return regimeText(body).toStdString();
+}
+
+TEST(RegimeText, saysWhatTheBodyDoes) {
+  using Body = poinsot::BodyStatus;
+  EXPECT_EQ(regime(Body::ABOUT_LARGEST, true), "turns over; Ω circles the axis of largest moment");
+  EXPECT_EQ(regime(Body::ABOUT_LARGEST, false), "wobbles; Ω circles the axis of largest moment");
+  EXPECT_EQ(regime(Body::ABOUT_SMALLEST, true), "turns over; Ω circles the axis of smallest moment");
+  EXPECT_EQ(regime(Body::ABOUT_SMALLEST, false), "wobbles; Ω circles the axis of smallest moment");
+  EXPECT_EQ(regime(Body::CIRCLE, false), "wobbles; Ω circles the axis of symmetry");
+  EXPECT_EQ(regime(Body::SEPARATRIX, true), "on the separatrix: turns over once, and never again");
+  EXPECT_EQ(regime(Body::BESIDE_SEPARATRIX, true), "on the separatrix, to rounding: turns over seldom");
+  EXPECT_EQ(regime(Body::STEADY, false, "steady about the axis of largest moment"),
+            "steady spin about the axis of largest moment");
+  EXPECT_EQ(regime(Body::UNDER_TORQUE, false, "under torque"), "under torque");
+  EXPECT_EQ(regime(200, false, "of a later version"), "of a later version");
 }
 
 TEST(Status, doesNotParseText) {
