@@ -3,6 +3,8 @@
 #include <QFormLayout>
 #include <cmath>
 
+#include "choice_list.h"
+#include "method_words.h"
 #include "node_link.h"
 #include "text.h"
 
@@ -16,6 +18,8 @@ constexpr double kMilli = 1e-3;
 MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
   body_ = makeList("body", "The body that is read out and plotted below, and whose method is chosen here.", 8);
   method_ = makeList("method", "The method that moves this body: closed_form is exact, all others step and drift.", 8);
+  showWords(method_);
+  words_ = makeWords("method_words", 0.85, 1);
   step_label_ = new QLabel("step");
   step_ = new LiveEdit;
   describe(step_, "method_step",
@@ -27,6 +31,7 @@ MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow("bo&dy", body_);
   form->addRow(labelOf(method_, "&method"), makeRow({method_, step_label_, step_, new QLabel("ms")}, 0));
+  form->addRow(words_);
 
   connect(body_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     hold_off_.end();
@@ -59,7 +64,7 @@ void MethodChoice::showStatus(const NodeStatus& status) {
   status_ = status;
   QStringList bodies;
   for (const BodyStatus& body : status.bodies) bodies << QString::fromStdString(body.name);
-  showChoices(body_, bodies, bodies.contains(body()) || bodies.isEmpty() ? body() : bodies.front());
+  showChoices(body_, plainChoices(bodies), bodies.contains(body()) || bodies.isEmpty() ? body() : bodies.front());
 
   const BodyStatus* const shown = bodyNamed(status, body());
   method_->setEnabled(shown && shown->methods.size() > 1);
@@ -67,10 +72,13 @@ void MethodChoice::showStatus(const NodeStatus& status) {
   step_->setEnabled(steps);
   step_label_->setEnabled(steps);
   if (!shown || hold_off_.holds(isChanging(status))) return;
-  QStringList methods = text::list(shown->methods);
+  QStringList names = text::list(shown->methods);
   const QString method = QString::fromStdString(shown->method);
-  if (!methods.contains(method)) methods.prepend(method);
+  if (!names.contains(method)) names.prepend(method);
+  Choices methods;
+  for (const QString& name : names) methods.push_back({name, wordsOfMethod(name)});
   showChoices(method_, methods, method);
+  words_->setText(wordsOfMethod(method));
   showText(step_, steps ? text::plain(shown->step / kMilli, 6) : QString());
 }
 

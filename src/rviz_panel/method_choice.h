@@ -30,6 +30,7 @@ class MethodChoice : public QWidget {
   QComboBox* method_;
   QLabel* step_label_;
   LiveEdit* step_;
+  QLabel* words_;
   NodeStatus status_;
   HoldOff hold_off_;
 };

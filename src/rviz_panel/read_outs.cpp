@@ -45,8 +45,7 @@ ReadOuts::ReadOuts() : grid_(makeLayout<QGridLayout>(this)) {
       5, "regime",
       "Whether the body turns over or only wobbles, and which axis Ω circles on its polhode. A body that turns over "
       "circles one as well, from one end of the axis of intermediate moment to the other and back. Of the true motion.");
-  regime_ = new ElidedLabel;
-  regime_->setObjectName("regime");
+  regime_ = makeWords("regime", 1, 2);
   grid_->addWidget(regime_, 5, 1, 1, 2);
   clear();
 }
@@ -78,14 +77,14 @@ void ReadOuts::clear() {
        {energy_, energy_drift_, momentum_, momentum_drift_, attitude_error_, flips_, next_flip_, cost_}) {
     label->setText(text::kUnknown);
   }
-  regime_->setFullText(text::kUnknown);
+  regime_->setText(text::kUnknown);
 }
 
 void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
   const BodyStatus* const shown = bodyNamed(status, body);
   if (!shown) return;
   showHeld(*shown);
-  regime_->setFullText(regimeText(*shown));
+  regime_->setText(regimeText(*shown));
   const double to_next = shown->time_to_next_flip;
   const bool foreseen = !std::isnan(to_next);
   const bool counts = foreseen && shown->flips;

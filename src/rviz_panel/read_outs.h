@@ -40,7 +40,7 @@ class ReadOuts : public QWidget {
   QLabel* next_flip_;
   QLabel* cost_;
   QLabel* regime_title_;
-  ElidedLabel* regime_;
+  QLabel* regime_;
   bool held_ = false;  ///< the spin is being dragged: energy and momentum are those of the motion that would begin
 };
 

@@ -1,11 +1,9 @@
 #include "widgets.h"
 
-#include <QAbstractItemView>
 #include <QEvent>
 #include <QFont>
 #include <QKeyEvent>
 #include <QProxyStyle>
-#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <utility>
 
@@ -57,12 +55,6 @@ bool changes(const QKeyEvent& event) {
   }
 }
 
-QStringList itemsOf(const QComboBox& combo) {
-  QStringList out;
-  for (int i = 0; i < combo.count(); ++i) out << combo.itemText(i);
-  return out;
-}
-
 }  // namespace
 
 void describe(QWidget* widget, const QString& name, const QString& tip) {
@@ -81,6 +73,15 @@ void setLetters(QWidget* widget, double size, bool bold) {
 QLabel* makeLabel(const QString& text, double size, bool bold) {
   auto* const label = new QLabel(text);
   setLetters(label, size, bold);
+  return label;
+}
+
+QLabel* makeWords(const QString& name, double size, int lines) {
+  QLabel* const label = makeLabel("", size);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
   return label;
 }
 
@@ -123,39 +124,6 @@ QSlider* makeSlider(const QString& name, const QString& tip, int last, int singl
   slider->setSingleStep(single_step);
   slider->setPageStep(page_step);
   return slider;
-}
-
-ElidedLabel::ElidedLabel() {
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  setMinimumWidth(1);
-}
-
-void ElidedLabel::setFullText(const QString& text) {
-  if (text == full_) return;
-  full_ = text;
-  elide();
-}
-
-void ElidedLabel::resizeEvent(QResizeEvent* event) {
-  QLabel::resizeEvent(event);
-  elide();
-}
-
-void ElidedLabel::elide() {
-  const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width());
-  setText(shown);
-  setToolTip(shown == full_ ? QString() : full_);
-}
-
-void showChoices(QComboBox* combo, const QStringList& choices, const QString& current) {
-  if (combo->view()->isVisible()) return;
-  const QSignalBlocker quiet(combo);
-  if (itemsOf(*combo) != choices) {
-    combo->clear();
-    combo->addItems(choices);
-  }
-  const int index = combo->findText(current);
-  if (index != combo->currentIndex()) combo->setCurrentIndex(index);
 }
 
 LiveEdit::LiveEdit(QWidget* parent) : QLineEdit(parent) {

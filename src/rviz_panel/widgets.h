@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QSlider>
 #include <QString>
-#include <QStringList>
 #include <QWidget>
 #include <cstddef>
 #include <vector>
@@ -36,6 +35,9 @@ Button* makeButton(const QString& text, const QString& name, const QString& tip)
 
 /** Returns a label with letters `size` times as large as usual. */
 QLabel* makeLabel(const QString& text, double size = 1, bool bold = false);
+
+/** Returns a label for words that take as many lines as they need, at least so many. */
+QLabel* makeWords(const QString& name, double size, int lines);
 
 /** Returns a label whose underlined letter moves the focus to a widget. */
 QLabel* labelOf(QWidget* widget, const QString& text);
@@ -76,23 +78,6 @@ class LiveEdit : public QLineEdit {
   void letGo();
   bool held_ = false;
 };
-
-/** A label that takes only the space that there is: what does not fit is shown as "…", and in full as a tooltip. */
-class ElidedLabel : public QLabel {
- public:
-  ElidedLabel();
-  void setFullText(const QString& text);
-
- protected:
-  void resizeEvent(QResizeEvent* event) override;
-
- private:
-  void elide();
-  QString full_;
-};
-
-/** Shows these choices, the current one chosen, without a signal. Nothing happens while one of them is being picked. */
-void showChoices(QComboBox* combo, const QStringList& choices, const QString& current);
 
 /** Shows a text unless the user is editing the line. */
 void showText(QLineEdit* edit, const QString& text);

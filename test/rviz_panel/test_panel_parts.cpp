@@ -10,7 +10,10 @@
 #include "asked_time.h"
 #include "hidden_parts.h"
 #include "history.h"
+#include "method_words.h"
 #include "momentum_camera.h"
+#include "poinsot/core/closed_form.h"
+#include "poinsot/core/method.h"
 #include "regime_text.h"
 #include "speed_scale.h"
 #include "status.h"
@@ -231,6 +234,34 @@ TEST(Status, saysWhatIsBeingWorkedOut) {
   status.activities = {activity(200, "", "", "")};
   EXPECT_EQ(activityText(status), "a change") << "of a kind that a later version may add";
   EXPECT_TRUE(isChanging(status));
+}
+
+TEST(MethodWords, agreeWithTheTableOfMethods) {
+  std::size_t steppers = 0;
+  for (const MethodWords& words : methodWords()) {
+    const poinsot::Method* const method = poinsot::findMethod(words.name);
+    if (!method) {
+      EXPECT_STREQ(words.name, poinsot::kClosedForm);
+      EXPECT_TRUE(words.keeps_momentum && words.keeps_energy && words.order == 0);
+      continue;
+    }
+    ++steppers;
+    EXPECT_EQ(words.order, method->order) << words.name;
+    EXPECT_EQ(words.keeps_momentum, method->conserves_momentum) << words.name;
+    EXPECT_EQ(words.keeps_energy, method->conserves_energy) << words.name;
+    EXPECT_EQ(words.moves_free, method->make_free != nullptr) << words.name;
+  }
+  EXPECT_EQ(steppers, poinsot::methods().size());
+  EXPECT_EQ(methodWords().size(), steppers + 1) << "the closed form";
+}
+
+TEST(MethodWords, sayWhatAMethodIs) {
+  EXPECT_EQ(wordsOfMethod("closed_form"), "exact, any t at once, keeps L and E");
+  EXPECT_EQ(wordsOfMethod("lie_euler"), "course notes' Algorithm 1, order 1, keeps L, not E");
+  EXPECT_EQ(wordsOfMethod("buss2"), "course notes' Algorithm 2, order 2, keeps L, not E");
+  EXPECT_EQ(wordsOfMethod("rk4"), "classical Runge–Kutta, order 4, keeps neither L nor E");
+  EXPECT_EQ(wordsOfMethod("taylor8"), "Taylor series, order 8, under torques");
+  EXPECT_EQ(wordsOfMethod("of_a_later_version"), "");
 }
 
 std::string regime(std::uint8_t kind, bool flips, const char* words = "") {
