@@ -44,7 +44,8 @@ ReadOuts::ReadOuts() : grid_(makeLayout<QGridLayout>(this)) {
   regime_title_ = addTitle(
       5, "regime",
       "Whether the body turns over or only wobbles, and which axis Ω circles on its polhode. A body that turns over "
-      "circles one as well, from one end of the axis of intermediate moment to the other and back. Of the true motion.");
+      "circles one as well, from one end of the axis of intermediate moment to the other and back. Of the true "
+      "motion.");
   regime_ = makeWords("regime", 1, 2);
   grid_->addWidget(regime_, 5, 1, 1, 2);
   clear();

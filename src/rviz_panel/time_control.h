@@ -38,7 +38,8 @@ class TimeControl : public QWidget {
   void spanChanged();
 
  private:
-  /** Shows the t of a message, unless another is asked for. @param seeking whether the node is on its way to another. */
+  /** Shows the t of a message, unless another is asked for. @param seeking whether the node is on its way to another.
+   */
   void showTime(double time, std::uint32_t segment, bool seeking);
   /** Shows t in the line, on the slider and on the page. */
   void display(double time);

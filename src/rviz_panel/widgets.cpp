@@ -80,7 +80,9 @@ QLabel* makeWords(const QString& name, double size, int lines) {
   QLabel* const label = makeLabel("", size);
   label->setObjectName(name);
   label->setWordWrap(true);
-  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  label->setSizePolicy(policy);
   label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
   return label;
 }
