@@ -1,11 +1,17 @@
 // Widgets of the panel by themselves: on no display, without RViz, without a node.
 #include <gtest/gtest.h>
+#include <qwt_interval.h>
+#include <qwt_plot.h>
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QTest>
 #include <QVBoxLayout>
+#include <cmath>
 
+#include "choice_list.h"
 #include "node_link.h"
+#include "plots.h"
 #include "time_control.h"
 #include "widgets.h"
 
@@ -152,6 +158,43 @@ TEST_F(TimeField, isNotChangedByWhatIsNoTime) {
   type("soon");
   state(3.1, 7);
   EXPECT_EQ(text(), "3.10");
+}
+
+TEST(Plots, showTheEnergyOnALinearScaleThatHasRoomForIt) {
+  Plots plots;
+  const auto* const plot = plots.findChild<QwtPlot*>("energy_plot");
+  const auto shows = [&](double drift) {
+    poinsot::BodyState state;
+    state.header.stamp = ros::Time(1 + std::abs(drift));
+    state.time = std::abs(drift);
+    state.energy_drift = drift;
+    plots.add(state);
+    plots.refresh();
+    return plot->axisInterval(QwtPlot::yLeft);
+  };
+  EXPECT_EQ(shows(1e-15), QwtInterval(0.99, 1.01)) << "a drift of rounding is none";
+  EXPECT_EQ(shows(-0.03), QwtInterval(0.95, 1.01));
+  EXPECT_EQ(shows(0.7), QwtInterval(0.95, 2));
+  plots.clear();
+  EXPECT_EQ(shows(0), QwtInterval(0.99, 1.01));
+}
+
+TEST(ChoiceList, headingsCannotBeChosen) {
+  QComboBox combo;
+  showWords(&combo);
+  showChoices(&combo, {{"one", {}, true}, {"a", "words"}, {"two", {}, true}, {"one", "more"}}, "one");
+  EXPECT_EQ(combo.currentText(), "one");
+  EXPECT_EQ(combo.currentIndex(), 3) << "not the heading of that name";
+  combo.setFocus();
+  QTest::keyClick(&combo, Qt::Key_Up);
+  EXPECT_EQ(combo.currentText(), "a") << "the keys pass over a heading";
+  QTest::keyClick(&combo, Qt::Key_Up);
+  EXPECT_EQ(combo.currentText(), "a");
+  EXPECT_GT(combo.view()->sizeHintForColumn(0), combo.fontMetrics().horizontalAdvance("a: words"))
+      << "there is room for the words";
+  showChoices(&combo, plainChoices({"b"}), "b");
+  EXPECT_EQ(combo.count(), 1);
+  EXPECT_EQ(combo.currentText(), "b");
 }
 
 }  // namespace
