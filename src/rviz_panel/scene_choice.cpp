@@ -45,10 +45,10 @@ void SceneChoice::showStatus(const NodeStatus& status) {
   file_ = QString::fromStdString(status.scene_file);
   if (hold_off_.holds(isChanging(status))) return;
   present_ = status.scene.empty() ? "(from a parameter)" : QString::fromStdString(status.scene);
-  show(text::list(status.scenes));
+  showScenes(text::list(status.scenes));
 }
 
-void SceneChoice::show(const QStringList& scenes) {
+void SceneChoice::showScenes(const QStringList& scenes) {
   Choices choices = groupedChoices(groups_, scenes);
   if (!scenes.contains(present_)) choices.prepend({present_, {}});
   showChoices(scene_, choices, present_);

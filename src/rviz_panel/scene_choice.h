@@ -20,7 +20,7 @@ class SceneChoice : public QWidget {
   void showStatus(const NodeStatus& status);
 
  private:
-  void show(const QStringList& scenes);
+  void showScenes(const QStringList& scenes);
 
   QComboBox* scene_;
   QLabel* shows_;  ///< what is to be seen in the present one

@@ -1,6 +1,5 @@
 #include "status.h"
 
-#include <QStringList>
 #include <algorithm>
 
 namespace poinsot::rviz_panel {
@@ -50,6 +49,12 @@ const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name) {
     if (QString::fromStdString(body.name) == name) return &body;
   }
   return nullptr;
+}
+
+QStringList bodyNames(const NodeStatus& status) {
+  QStringList out;
+  for (const BodyStatus& body : status.bodies) out << QString::fromStdString(body.name);
+  return out;
 }
 
 bool HoldOff::holds(bool at_work) {

@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QString>
+#include <QStringList>
 
 namespace poinsot::rviz_panel {
 
@@ -18,6 +19,9 @@ QString activityText(const NodeStatus& status);
 
 /** Returns the status of the body of that name; null where there is none. */
 const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name);
+
+/** Returns the names of all bodies. */
+QStringList bodyNames(const NodeStatus& status);
 
 /** Keeps what the user has just chosen from being overwritten by a status from before that. */
 class HoldOff {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "asked_time.h"
+#include "banner.h"
 #include "hidden_parts.h"
 #include "history.h"
 #include "method_words.h"
@@ -234,6 +235,16 @@ TEST(Status, saysWhatIsBeingWorkedOut) {
   status.activities = {activity(200, "", "", "")};
   EXPECT_EQ(activityText(status), "a change") << "of a kind that a later version may add";
   EXPECT_TRUE(isChanging(status));
+}
+
+TEST(Banner, saysWhatKeepsTheNodeFromBeingControlled) {
+  EXPECT_EQ(bannerText(Reach::controllable, "/a"), "");
+  EXPECT_TRUE(bannerText(Reach::waits_for_clock, "/a").contains("is waiting for <b>/clock</b>"));
+  EXPECT_TRUE(bannerText(Reach::recording, "/a").contains("A recording</b> is shown"));
+  EXPECT_TRUE(bannerText(Reach::nobody, "/a").contains("roslaunch poinsot demo.launch"));
+  for (const Reach reach : {Reach::waits_for_clock, Reach::recording, Reach::nobody}) {
+    EXPECT_TRUE(bannerText(reach, "/<a>").contains("<b>/&lt;a&gt;</b>")) << "the node's name, whatever it is";
+  }
 }
 
 TEST(MethodWords, agreeWithTheTableOfMethods) {
