@@ -1,6 +1,7 @@
 #include "panel.h"
 
 #include <rviz/config.h>
+#include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -23,6 +24,7 @@
 #include "scene_choice.h"
 #include "speed_control.h"
 #include "time_control.h"
+#include "tour_box.h"
 #include "view_choice.h"
 
 namespace poinsot::rviz_panel {
@@ -46,6 +48,7 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), link_(new NodeLink(this)) {
 }
 
 void Panel::onInitialize() {
+  // Before all others: the views of another scene are there when the tour chooses one.
   connect(link_, &NodeLink::statusReceived, this, &Panel::onStatus);
   banner_ = new Banner(link_);
   auto* const scroll = new QScrollArea;
@@ -92,12 +95,13 @@ QWidget* Panel::makePage() {
 QWidget* Panel::makeControls() {
   controls_ = new QWidget;
   controls_->setObjectName("controls");
-  auto* const scene = new SceneChoice(link_);
+  auto* const tour = new TourBox(link_, [this](const QString& view) { lookFrom(view); });
+  auto* const scene = new SceneChoice(link_, tour->button());
   auto* const buttons = new PlayButtons(link_);
   auto* const speed = new SpeedControl(link_);
   time_ = new TimeControl(link_);
   auto* const layout = makeLayout<QVBoxLayout>(controls_, 6);
-  for (QWidget* part : std::initializer_list<QWidget*>{scene, line(), buttons, time_, speed}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{scene, tour, line(), buttons, time_, speed}) {
     layout->addWidget(part);
   }
   connect(link_, &NodeLink::statusReceived, scene, &SceneChoice::showStatus);
@@ -148,6 +152,16 @@ void Panel::takeTypedNode() {
   link_->setNode(node_->text());
   showText(node_, link_->givenNode());
   if (link_->givenNode() != before) Q_EMIT configChanged();
+}
+
+void Panel::lookFrom(const QString& view) {
+  rviz::ViewManager* const views = vis_manager_->getViewManager();
+  for (int i = 0; i < views->getNumViews(); ++i) {
+    if (views->getViewAt(i)->getName() == view) {
+      views_->take(i);
+      return;
+    }
+  }
 }
 
 void Panel::clear() {

@@ -47,6 +47,8 @@ class Panel : public rviz::Panel {
   /** Shows the bodies that there are, of which one is read out and plotted. */
   void offer(const QStringList& bodies);
   void takeTypedNode();
+  /** Looks from the saved view of that name, if there is one. */
+  void lookFrom(const QString& view);
   void refresh();
   /** Forgets what the body did. */
   void clear();

@@ -15,13 +15,13 @@
 
 namespace poinsot::rviz_panel {
 
-SceneChoice::SceneChoice(NodeLink* link) {
+SceneChoice::SceneChoice(NodeLink* link, QWidget* beside) {
   scene_ = makeList("scene", "The scene that plays. What plays goes on until the other is ready.", 12);
   auto* const open = makeButton<QToolButton>("&Open…", "open_scene", "Play a scene file of your own.");
   showWords(scene_);
   shows_ = makeWords("scene_words", 0.85, 1);
   auto* const layout = makeLayout<QVBoxLayout>(this, 2);
-  layout->addLayout(makeRow({labelOf(scene_, "&scene"), scene_, open}));
+  layout->addLayout(makeRow({labelOf(scene_, "&scene"), scene_, open, beside}));
   layout->addWidget(shows_);
   try {
     groups_ = sceneGroups(data_file::read("scenes.yaml"));

@@ -16,7 +16,8 @@ class NodeLink;
 /** Chooses the scene that plays: one of the package's, in groups, or a file of the user's. */
 class SceneChoice : public QWidget {
  public:
-  explicit SceneChoice(NodeLink* link);
+  /** @param beside another widget, at the end of the row. */
+  SceneChoice(NodeLink* link, QWidget* beside);
   void showStatus(const NodeStatus& status);
 
  private:

@@ -431,6 +431,50 @@ TEST_F(Panel, saysWhatTheBodyDoesAndWhatTheSceneShows) {
   QTest::keyClick(combo("method")->view(), Qt::Key_Escape);
 }
 
+TEST_F(Panel, theTourLeadsFromCardToCard) {
+  const auto isOn = [](int card) {
+    return until([&] { return find<QLabel>("tour_title")->text().startsWith(QString("%1 of 8").arg(card)); });
+  };
+  press<QToolButton>("tour");
+  ASSERT_TRUE(isOn(1));
+  EXPECT_FALSE(find<QPushButton>("tour_back")->isEnabled());
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(2));
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time >= 6.5 && state.time_rate == 0.25; }));
+  spin(1);
+  shown->picture("panel_tour");
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(3));
+  EXPECT_TRUE(until([] {
+    for (const auto* view : shown->frame().findChildren<QPushButton*>()) {
+      if (view->text() == "Along L" && view->isChecked()) return true;
+    }
+    return false;
+  })) << "not seen along L";
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(4));
+  EXPECT_TRUE(until([] { return combo("scene")->currentText() == "regimes"; }));
+  press<QPushButton>("tour_back");
+  ASSERT_TRUE(isOn(3));
+  // The node does not answer: the tour stays where it is, and goes on when the node is back.
+  node->freeze();
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  EXPECT_TRUE(find<QLabel>("tour_title")->text().startsWith("3 of 8"));
+  node->thaw();
+  ASSERT_TRUE(until([] { return controls()->isEnabled() && combo("scene")->currentText() == "regimes"; }));
+  EXPECT_TRUE(find<QLabel>("tour_title")->text().startsWith("3 of 8"));
+  for (int card = 4; card <= 8; ++card) {
+    press<QPushButton>("tour_next");
+    ASSERT_TRUE(isOn(card));
+  }
+  EXPECT_FALSE(find<QPushButton>("tour_next")->isEnabled());
+  EXPECT_TRUE(until([] { return heard->description.method == "lie_euler" && heard->description.step == 1.0 / 60; }));
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
+  press<QToolButton>("tour");
+  EXPECT_FALSE(find<QWidget>("tour_box")->isVisible());
+}
+
 TEST_F(Panel, torquesAreCalledByTheirName) {
   pick("scene", "damped_tumble");
   EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "no closed form under torque"; }));
