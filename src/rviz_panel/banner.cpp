@@ -5,14 +5,14 @@
 namespace poinsot::rviz_panel {
 
 QString bannerText(Reach reach, const QString& node) {
-  const QString name = QString("<nobr><b>%1</b></nobr>").arg(node.toHtmlEscaped());
+  const QString name = QString("<b>%1</b>").arg(node.toHtmlEscaped());
   switch (reach) {
     case Reach::controllable:
       return {};
     case Reach::waits_for_clock:
       return name + " is waiting for <b>/clock</b>: /use_sim_time is set, but ROS time does not move on.";
     case Reach::recording:
-      return QString("<b>A recording</b> is shown. No node answers at %1, so nothing can be controlled.").arg(name);
+      return QString("<b>A recording</b> is shown; nothing can be controlled.<br>No node answers at %1.").arg(name);
     case Reach::nobody:
       break;
   }

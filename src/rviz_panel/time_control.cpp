@@ -1,5 +1,6 @@
 #include "time_control.h"
 
+#include <QPalette>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
@@ -26,6 +27,9 @@ TimeControl::TimeControl(NodeLink* link) : link_(link) {
   describe(time_, "time", "Simulation time t in seconds. Type a time and press Enter to be there, as 12.5 or 1e9.");
   setLetters(time_, 1.25, true);
   time_->setAlignment(Qt::AlignRight);
+  QPalette palette = time_->palette();  // t can also be read where it cannot be chosen: in a recording
+  palette.setColor(QPalette::Disabled, QPalette::Text, palette.color(QPalette::Active, QPalette::Text));
+  time_->setPalette(palette);
   span_ = makeList("span", "How much time the slider spans. Beyond its end it turns to the next page.", 5);
   for (const auto& [seconds, text] : kSpans) span_->addItem(text, seconds);
   span_->setCurrentIndex(kUsualSpan);
