@@ -12,6 +12,7 @@
 #include "choice_list.h"
 #include "node_link.h"
 #include "plots.h"
+#include "read_outs.h"
 #include "time_control.h"
 #include "widgets.h"
 
@@ -177,6 +178,31 @@ TEST(Plots, showTheEnergyOnALinearScaleThatHasRoomForIt) {
   EXPECT_EQ(shows(0.7), QwtInterval(0.95, 2));
   plots.clear();
   EXPECT_EQ(shows(0), QwtInterval(0.99, 1.01));
+}
+
+TEST(ReadOuts, showTheMotionThatWouldBeginWhileItsSpinIsDragged) {
+  ReadOuts read_outs;
+  const auto text = [&](const char* name) { return read_outs.findChild<QLabel*>(name)->text().toStdString(); };
+  poinsot::NodeStatus status;
+  status.bodies.resize(1);
+  poinsot::BodyStatus& body = status.bodies[0];
+  body.name = "wing";
+  body.held_energy = 3;
+  body.held_momentum = 4;
+  poinsot::BodyState state;
+  state.kinetic_energy = 1;
+  state.momentum_world.x = 2;
+  read_outs.showStatus(status, "wing");
+  read_outs.showState(state);
+  EXPECT_EQ(text("energy"), "3 J") << "not that of the body, which stands still meanwhile";
+  EXPECT_EQ(text("momentum"), "4 N·m·s");
+  EXPECT_EQ(text("energy_drift"), "if let go");
+  body.held_energy = body.held_momentum = std::nan("");
+  read_outs.showStatus(status, "wing");
+  read_outs.showState(state);
+  EXPECT_EQ(text("energy"), "1 J");
+  EXPECT_EQ(text("momentum"), "2 N·m·s");
+  EXPECT_EQ(text("energy_drift"), "drift 0");
 }
 
 TEST(ChoiceList, headingsCannotBeChosen) {
