@@ -1,5 +1,7 @@
 #include "poinsot/ros/status_message.h"
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <variant>
 
@@ -10,6 +12,28 @@
 namespace poinsot::node {
 namespace {
 
+std::uint8_t regimeKind(const session::BodyStatus& body) {
+  using view::Regime;
+  if (!body.free) return BodyStatus::UNDER_TORQUE;
+  if (body.free->beside_separatrix) return BodyStatus::BESIDE_SEPARATRIX;
+  switch (body.free->regime) {
+    case Regime::about_smallest:
+      return BodyStatus::ABOUT_SMALLEST;
+    case Regime::about_largest:
+      return BodyStatus::ABOUT_LARGEST;
+    case Regime::separatrix:
+      return BodyStatus::SEPARATRIX;
+    case Regime::circle:
+      return BodyStatus::CIRCLE;
+    case Regime::axis_spin:
+    case Regime::sphere:
+      return BodyStatus::STEADY;
+    case Regime::rest:
+      break;
+  }
+  return BodyStatus::AT_REST;
+}
+
 BodyStatus bodyMessage(const session::BodyStatus& body) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   BodyStatus out;
@@ -18,10 +42,13 @@ BodyStatus bodyMessage(const session::BodyStatus& body) {
   out.step = body.step.value_or(kNone);
   out.methods = body.methods;
   out.regime = regimeText(body);
+  out.regime_kind = regimeKind(body);
   const view::Flips flips = body.free ? body.free->flips : view::Flips{false, 0, kNone};
   out.flips = flips.flips;
   out.flips_since_start = flips.since_start;
   out.time_to_next_flip = flips.to_next;
+  out.held_energy = body.held ? body.held->kinetic_energy : kNone;
+  out.held_momentum = body.held ? std::sqrt(body.held->momentum_squared) : kNone;
   return out;
 }
 

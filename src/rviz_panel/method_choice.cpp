@@ -1,8 +1,11 @@
 #include "method_choice.h"
 
-#include <QFormLayout>
+#include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
+#include "choice_list.h"
+#include "method_words.h"
 #include "node_link.h"
 #include "text.h"
 
@@ -14,8 +17,9 @@ constexpr double kMilli = 1e-3;
 }  // namespace
 
 MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
-  body_ = makeList("body", "The body that is read out and plotted below, and whose method is chosen here.", 8);
   method_ = makeList("method", "The method that moves this body: closed_form is exact, all others step and drift.", 8);
+  showWords(method_);
+  words_ = makeWords("method_words", 0.85, 1);
   step_label_ = new QLabel("step");
   step_ = new LiveEdit;
   describe(step_, "method_step",
@@ -23,16 +27,10 @@ MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
   step_->setPlaceholderText("chosen");
   step_->setAlignment(Qt::AlignRight);
   step_->setFixedWidth(step_->fontMetrics().horizontalAdvance("0.00123456"));
-  auto* const form = makeLayout<QFormLayout>(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->addRow("bo&dy", body_);
-  form->addRow(labelOf(method_, "&method"), makeRow({method_, step_label_, step_, new QLabel("ms")}, 0));
+  auto* const layout = makeLayout<QVBoxLayout>(this, 2);
+  layout->addLayout(makeRow({labelOf(method_, "&method"), method_, step_label_, step_, new QLabel("ms")}));
+  layout->addWidget(words_);
 
-  connect(body_, QOverload<int>::of(&QComboBox::activated), this, [this] {
-    hold_off_.end();
-    step_->setModified(false);
-    showStatus(NodeStatus(status_));
-  });
   connect(method_, QOverload<int>::of(&QComboBox::activated), this, [this] { askMethod(0); });
   connect(step_, &QLineEdit::returnPressed, this, &MethodChoice::askStep);
 }
@@ -40,7 +38,7 @@ MethodChoice::MethodChoice(NodeLink* link) : link_(link) {
 void MethodChoice::askMethod(double step) {
   hold_off_.begin();
   step_->setModified(false);
-  link_->setMethod(body(), method_->currentText(), step);
+  link_->setMethod(body_, method_->currentText(), step);
 }
 
 void MethodChoice::askStep() {
@@ -55,22 +53,24 @@ void MethodChoice::askStep() {
   askMethod(milliseconds * kMilli);
 }
 
-void MethodChoice::showStatus(const NodeStatus& status) {
-  status_ = status;
-  QStringList bodies;
-  for (const BodyStatus& body : status.bodies) bodies << QString::fromStdString(body.name);
-  showChoices(body_, bodies, bodies.contains(body()) || bodies.isEmpty() ? body() : bodies.front());
-
-  const BodyStatus* const shown = bodyNamed(status, body());
+void MethodChoice::showStatus(const NodeStatus& status, const QString& body) {
+  if (body != std::exchange(body_, body)) {
+    hold_off_.end();
+    step_->setModified(false);
+  }
+  const BodyStatus* const shown = bodyNamed(status, body);
   method_->setEnabled(shown && shown->methods.size() > 1);
   const bool steps = shown && std::isfinite(shown->step);
   step_->setEnabled(steps);
   step_label_->setEnabled(steps);
   if (!shown || hold_off_.holds(isChanging(status))) return;
-  QStringList methods = text::list(shown->methods);
+  QStringList names = text::list(shown->methods);
   const QString method = QString::fromStdString(shown->method);
-  if (!methods.contains(method)) methods.prepend(method);
+  if (!names.contains(method)) names.prepend(method);
+  Choices methods;
+  for (const QString& name : names) methods.push_back({name, wordsOfMethod(name)});
   showChoices(method_, methods, method);
+  words_->setText(wordsOfMethod(method));
   showText(step_, steps ? text::plain(shown->step / kMilli, 6) : QString());
 }
 

@@ -13,24 +13,24 @@ namespace poinsot::rviz_panel {
 
 class NodeLink;
 
-/** Chooses the body that is shown, the method that moves it, and its step. */
+/** Chooses the method that moves the body that is shown, and its step. */
 class MethodChoice : public QWidget {
  public:
   explicit MethodChoice(NodeLink* link);
 
-  void showStatus(const NodeStatus& status);
-  QString body() const { return body_->currentText(); }
+  /** Shows what moves a body. */
+  void showStatus(const NodeStatus& status, const QString& body);
 
  private:
   void askMethod(double step);
   void askStep();
 
   NodeLink* link_;
-  QComboBox* body_;
   QComboBox* method_;
   QLabel* step_label_;
   LiveEdit* step_;
-  NodeStatus status_;
+  QLabel* words_;
+  QString body_;
   HoldOff hold_off_;
 };
 

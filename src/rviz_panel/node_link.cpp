@@ -28,6 +28,7 @@ constexpr int kAttemptEvery = 2000;  // ms, from when the last attempt was ready
 constexpr int kLongCall = 1000;      // ms
 constexpr int kMostCalls = 20;       // waiting to be answered
 constexpr int kStateQueue = 2000;
+const char* const kUsualNode = "poinsot";
 
 /** Sends a number that waits to be sent, if somebody listens. */
 void send(std::optional<double>& number, ros::Publisher& publisher) {
@@ -36,6 +37,24 @@ void send(std::optional<double>& number, ros::Publisher& publisher) {
   message.data = *number;
   publisher.publish(message);
   number.reset();
+}
+
+/** Returns the bodies of a namespace whose states somebody offers to publish. Asks the master. */
+QStringList offeredBodies(const std::string& ns) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  const std::string before = ns == "/" ? ns : ns + "/";
+  const std::string after = std::string("/") + names::kState;
+  QStringList out;
+  for (const ros::master::TopicInfo& topic : topics) {
+    if (topic.datatype != ros::message_traits::datatype<BodyState>()) continue;
+    const std::size_t rest = before.size() + after.size();
+    if (topic.name.size() <= rest || topic.name.compare(0, before.size(), before) != 0) continue;
+    const std::string body = topic.name.substr(before.size(), topic.name.size() - rest);
+    if (names::topic(body, names::kState) == topic.name.substr(before.size())) out << QString::fromStdString(body);
+  }
+  out.sort();
+  return out;
 }
 
 }  // namespace
@@ -63,7 +82,7 @@ struct NodeLink::Connection {
     NodeLink* const to = link;
     state = handle.subscribe<BodyState>(
         names::topic(body, names::kState), kStateQueue,
-        [to](const BodyState::ConstPtr& message) { Q_EMIT to->stateReceived(*message); }, ros::VoidConstPtr(),
+        [to](const BodyState::ConstPtr& message) { to->onState(*message); }, ros::VoidConstPtr(),
         ros::TransportHints().tcpNoDelay());
     description = handle.subscribe<BodyDescription>(
         names::topic(body, names::kDescription), 1,
@@ -79,7 +98,7 @@ struct NodeLink::Connection {
   ros::Subscriber status, layout, state, description;
 };
 
-NodeLink::NodeLink(QObject* parent) : QObject(parent) {
+NodeLink::NodeLink(QObject* parent) : QObject(parent), given_(kUsualNode), node_(ros::names::resolve(kUsualNode)) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &NodeLink::poll);
   timer_.start(kPollEvery);
@@ -108,12 +127,14 @@ void NodeLink::setNode(const QString& name) {
   }
   if (resolved.empty()) {
     Q_EMIT refused(
-        QString("Expected a node's name, such as /poinsot, got “%1”: %2").arg(name, QString::fromStdString(error)));
+        QString("Expected a node's name, such as poinsot, got “%1”: %2").arg(name, QString::fromStdString(error)));
     return;
   }
+  given_ = name.trimmed();
   if (resolved == node_) return;
   node_ = resolved;
   body_.clear();
+  recording_ = false;
   giveUp();
   connectAnew();
 }
@@ -135,24 +156,32 @@ void NodeLink::follow() {
 void NodeLink::onStatus(const NodeStatus& status) {
   since_status_.start();
   if (!std::exchange(alive_, true)) {
-    eye_.reset();
-    light_background_.reset();
+    outbox_.told_eye.reset();
+    outbox_.told_light_background.reset();
+    recording_ = false;
     Q_EMIT found();
   }
   Q_EMIT statusReceived(status);
 }
 
+void NodeLink::onState(const BodyState& state) {
+  since_state_.start();
+  // A node that is there would have been heard by now.
+  if (!alive_ && !connecting_ && since_attempt_.hasExpired(kSilence)) recording_ = true;
+  Q_EMIT stateReceived(state);
+}
+
 void NodeLink::giveUp() {
   alive_ = false;
-  speed_.reset();
-  seek_.reset();
+  outbox_.speed.reset();
+  outbox_.seek.reset();
   calling_.drop();
-  calls_ = 0;
+  calls_.open = 0;
   Q_EMIT lost();
 }
 
 bool NodeLink::waiting() const {
-  return calls_ > 0 && since_call_.hasExpired(kLongCall);
+  return calls_.open > 0 && calls_.since.hasExpired(kLongCall);
 }
 
 void NodeLink::poll() {
@@ -160,11 +189,12 @@ void NodeLink::poll() {
   calling_.read();
   if (const std::shared_ptr<Connection> connection = connection_) {  // kept, as a slot may ask for another node
     connection->queue.callAvailable(ros::WallDuration(0));
-    send(speed_, connection->speed);
-    send(seek_, connection->seek);
+    send(outbox_.speed, connection->speed);
+    send(outbox_.seek, connection->seek);
   }
   if (since_status_.isValid() && !since_status_.hasExpired(kSilence)) return;
   if (alive_) giveUp();
+  if (recording_ && since_state_.isValid() && !since_state_.hasExpired(kAttemptEvery)) return;  // it is heard well
   if (!connecting_ && (!since_attempt_.isValid() || since_attempt_.hasExpired(kAttemptEvery))) connectAnew();
 }
 
@@ -175,11 +205,13 @@ void NodeLink::connectAnew() {
   subscribing_.post([this, node = node_, body = body_, old = std::exchange(connection_, nullptr)]() mutable {
     old.reset();
     std::shared_ptr<Connection> fresh;
+    QStringList offered;
     if (ros::master::check()) {  // without a master, subscribing would wait for it
       fresh = std::make_shared<Connection>(this, node);
       fresh->watch(body);
+      offered = offeredBodies(ros::names::parentNamespace(node));
     }
-    return [this, fresh, body]() mutable {
+    return [this, fresh, body, offered]() mutable {
       connecting_ = false;
       since_attempt_.start();
       connection_ = std::move(fresh);  // moved, so that the worker may destroy it
@@ -188,13 +220,14 @@ void NodeLink::connectAnew() {
       } else if (body != body_) {
         follow();
       }
+      if (!alive_ && !offered.isEmpty()) Q_EMIT bodiesOffered(offered);
     };
   });
 }
 
 void NodeLink::setEye(const std::array<double, 3>& eye) {
-  if (eye_ == eye || !connection_ || connection_->viewpoint.getNumSubscribers() == 0) return;
-  eye_ = eye;
+  if (outbox_.told_eye == eye || !connection_ || connection_->viewpoint.getNumSubscribers() == 0) return;
+  outbox_.told_eye = eye;
   geometry_msgs::PointStamped message;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kWorld;
@@ -205,8 +238,8 @@ void NodeLink::setEye(const std::array<double, 3>& eye) {
 }
 
 void NodeLink::setLightBackground(bool light) {
-  if (light_background_ == light || !connection_ || connection_->background.getNumSubscribers() == 0) return;
-  light_background_ = light;
+  if (outbox_.told_light_background == light || !connection_ || connection_->background.getNumSubscribers() == 0) return;
+  outbox_.told_light_background = light;
   std_msgs::Bool message;
   message.data = light;
   connection_->background.publish(message);
@@ -214,18 +247,18 @@ void NodeLink::setLightBackground(bool light) {
 
 template <typename Service>
 void NodeLink::call(const char* name, const typename Service::Request& request) {
-  if (calls_ >= kMostCalls) {
+  if (calls_.open >= kMostCalls) {
     Q_EMIT refused("The node has not answered yet; wait a moment.");
     return;
   }
-  if (calls_++ == 0) since_call_.start();
+  if (calls_.open++ == 0) calls_.since.start();
   calling_.post([this, service = node_ + "/" + name, question = request]() mutable {
     typename Service::Response answer;
     const bool reached = ros::service::call(service, question, answer);
     if (!reached) answer.message = "No answer from " + service + ".";
     return [this, is_done = reached && answer.success, message = QString::fromStdString(answer.message)] {
-      --calls_;
-      since_call_.start();
+      --calls_.open;
+      calls_.since.start();
       if (is_done) {
         Q_EMIT done(message);
       } else {
@@ -247,15 +280,15 @@ void NodeLink::step() {
 
 void NodeLink::reset() {
   Q_EMIT resetting();
-  seek_.reset();                                      // asked for before
-  if (connection_) send(speed_, connection_->speed);  // so that t runs forwards from its start on
+  outbox_.seek.reset();                                      // asked for before
+  if (connection_) send(outbox_.speed, connection_->speed);  // so that t runs forwards from its start on
   call<std_srvs::Trigger>(names::kReset, {});
 }
 
 void NodeLink::loadScene(const QString& scene) {
   LoadScene::Request request;
   request.scene = scene.toStdString();
-  seek_.reset();  // asked for before
+  outbox_.seek.reset();  // asked for before
   call<LoadScene>(names::kLoadScene, request);
 }
 

@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <array>
 #include <memory>
@@ -21,7 +22,8 @@
 namespace poinsot::rviz_panel {
 
 /**
- * The panel's connection to ROS: the node's status, one body's state, and requests to the node.
+ * The panel's connection to ROS: the node's status, one body's state, and requests to the node. Where bodies are heard
+ * but no node, a recording is being played.
  *
  * It lives on one thread, from which all its signals come, and never waits: workers do what may wait for the node or
  * for the master (service calls, subscribing). While a node is silent, it is looked for every two seconds with new
@@ -34,8 +36,13 @@ class NodeLink : public QObject {
   explicit NodeLink(QObject* parent = nullptr);
   ~NodeLink() override;
 
-  /** The node to listen to; a relative name is resolved as ROS does. A name that ROS does not allow is refused. */
+  /**
+   * The node to listen to; a relative name is resolved as ROS does, in RViz's own namespace. A name that ROS does not
+   * allow is refused.
+   */
   void setNode(const QString& name);
+  /** Its name as it was given, and as it was resolved. */
+  QString givenNode() const { return given_; }
   QString node() const { return QString::fromStdString(node_); }
 
   /** The body whose state and description are wanted; empty: none. */
@@ -44,6 +51,8 @@ class NodeLink : public QObject {
 
   /** Whether the node's status arrived within the last 1.5 s. */
   bool alive() const { return alive_; }
+  /** Whether bodies have been heard without a node. */
+  bool hearsRecording() const { return recording_; }
   /** Whether the node has taken more than a second over a service call. */
   bool waiting() const;
 
@@ -57,8 +66,8 @@ class NodeLink : public QObject {
   void setMethod(const QString& body, const QString& method, double step);
 
   // Topics: no more than twenty messages a second each, of which the last one is always sent.
-  void setSpeed(double speed) { speed_ = speed; }
-  void seek(double time) { seek_ = time; }
+  void setSpeed(double speed) { outbox_.speed = speed; }
+  void seek(double time) { outbox_.seek = time; }
   /** Where the viewer's eye is [m], in the world frame; not sent again while it is there. */
   void setEye(const std::array<double, 3>& eye);
   /** Whether the viewer's background is light; not sent again while it stays so. */
@@ -67,6 +76,8 @@ class NodeLink : public QObject {
  Q_SIGNALS:
   void found();
   void lost();
+  /** While no node is heard: the bodies whose states somebody offers, such as a player of recordings. */
+  void bodiesOffered(const QStringList& bodies);
   void statusReceived(const poinsot::NodeStatus& status);
   void stateReceived(const poinsot::BodyState& state);
   void descriptionReceived(const poinsot::BodyDescription& description);
@@ -82,6 +93,7 @@ class NodeLink : public QObject {
 
   void poll();
   void onStatus(const NodeStatus& status);
+  void onState(const BodyState& state);
   /** Gives up what was asked of the node. */
   void giveUp();
   void connectAnew();
@@ -89,17 +101,24 @@ class NodeLink : public QObject {
   template <typename Service>
   void call(const char* name, const typename Service::Request& request);
 
-  std::string node_ = "/poinsot";
+  QString given_;
+  std::string node_;
   std::string body_;
   bool alive_ = false;
+  bool recording_ = false;
   bool connecting_ = false;
   QElapsedTimer since_status_;
   QElapsedTimer since_attempt_;
-  QElapsedTimer since_call_;
-  int calls_ = 0;                             ///< that have not been answered
-  std::optional<std::array<double, 3>> eye_;  ///< that the node has been told
-  std::optional<bool> light_background_;      ///< likewise
-  std::optional<double> speed_, seek_;        ///< to be sent
+  QElapsedTimer since_state_;
+  struct Calls {
+    int open = 0;         ///< that have not been answered
+    QElapsedTimer since;  ///< the oldest of them, or the last answer
+  } calls_;
+  struct Outbox {
+    std::optional<double> speed, seek;              ///< to be sent
+    std::optional<std::array<double, 3>> told_eye;  ///< has been sent
+    std::optional<bool> told_light_background;      ///< likewise
+  } outbox_;
   QTimer timer_;
   std::shared_ptr<Connection> connection_;
   Worker subscribing_;

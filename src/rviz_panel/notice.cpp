@@ -55,7 +55,7 @@ void Notice::refresh() {
   if (!said_.isEmpty() && (said_trouble_ || !takes_long)) {
     display(said_, said_trouble_);
   } else if (!link_->alive()) {
-    display("Looking for the node …", false);
+    display(link_->hearsRecording() ? "Showing a recording." : "Looking for the node …", false);
   } else if (link_->waiting()) {
     display("Waiting for the node to answer …", false);
   } else if (!working_on_.isEmpty()) {

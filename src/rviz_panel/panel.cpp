@@ -1,6 +1,7 @@
 #include "panel.h"
 
 #include <rviz/config.h>
+#include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -10,6 +11,8 @@
 #include <initializer_list>
 
 #include "background.h"
+#include "banner.h"
+#include "choice_list.h"
 #include "eye.h"
 #include "method_choice.h"
 #include "node_link.h"
@@ -21,6 +24,7 @@
 #include "scene_choice.h"
 #include "speed_control.h"
 #include "time_control.h"
+#include "tour_box.h"
 #include "view_choice.h"
 
 namespace poinsot::rviz_panel {
@@ -44,12 +48,9 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), link_(new NodeLink(this)) {
 }
 
 void Panel::onInitialize() {
-  banner_ = new QLabel;
-  banner_->setObjectName("banner");
-  banner_->setWordWrap(true);
-  banner_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  banner_->setMargin(8);
-  banner_->setStyleSheet("QLabel { background: #fff3d6; color: #5a3a00; border-bottom: 1px solid #e69f00; }");
+  // Before all others: the views of another scene are there when the tour chooses one.
+  connect(link_, &NodeLink::statusReceived, this, &Panel::onStatus);
+  banner_ = new Banner(link_);
   auto* const scroll = new QScrollArea;
   scroll->setObjectName("scroll");
   scroll->setWidgetResizable(true);
@@ -76,9 +77,16 @@ QWidget* Panel::makePage() {
   auto* const page = new QWidget;
   auto* const layout = makeLayout<QVBoxLayout>(page, 6);
   layout->setContentsMargins(6, 6, 6, 6);
+  body_ = makeList("body", "The body whose method is chosen here, and which is read out and plotted below.", 8);
+  method_ = new MethodChoice(link_);
+  read_outs_ = new ReadOuts;
+  plots_ = new Plots;
   layout->addWidget(makeControls());
   layout->addWidget(line());
-  layout->addWidget(views_);
+  layout->addLayout(makeRow({labelOf(body_, "bo&dy"), body_}));
+  for (QWidget* part : std::initializer_list<QWidget*>{method_, line(), read_outs_, plots_, line(), views_}) {
+    layout->addWidget(part);
+  }
   layout->addLayout(makeRow({labelOf(node_, "&node"), node_, makeBackgroundBox(vis_manager_)}));
   layout->addStretch();
   return page;
@@ -87,16 +95,13 @@ QWidget* Panel::makePage() {
 QWidget* Panel::makeControls() {
   controls_ = new QWidget;
   controls_->setObjectName("controls");
-  auto* const scene = new SceneChoice(link_);
+  auto* const tour = new TourBox(link_, [this](const QString& view) { lookFrom(view); });
+  auto* const scene = new SceneChoice(link_, tour->button());
   auto* const buttons = new PlayButtons(link_);
   auto* const speed = new SpeedControl(link_);
   time_ = new TimeControl(link_);
-  method_ = new MethodChoice(link_);
-  read_outs_ = new ReadOuts;
-  plots_ = new Plots;
   auto* const layout = makeLayout<QVBoxLayout>(controls_, 6);
-  for (QWidget* part : std::initializer_list<QWidget*>{scene, line(), buttons, time_, speed, line(), method_, line(),
-                                                       read_outs_, plots_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{scene, tour, line(), buttons, time_, speed}) {
     layout->addWidget(part);
   }
   connect(link_, &NodeLink::statusReceived, scene, &SceneChoice::showStatus);
@@ -106,17 +111,13 @@ QWidget* Panel::makeControls() {
 }
 
 void Panel::listen() {
-  connect(link_, &NodeLink::statusReceived, this, &Panel::onStatus);
   connect(link_, &NodeLink::stateReceived, this, &Panel::onState);
   connect(link_, &NodeLink::descriptionReceived, plots_, &Plots::setPrincipalAxes);
   connect(link_, &NodeLink::descriptionReceived, this,
           [this](const BodyDescription& description) { views_->showDescription(description); });
   connect(link_, &NodeLink::layoutReceived, this, [this](const SceneLayout& layout) { views_->showLayout(layout); });
-  connect(link_, &NodeLink::found, this, [this] {
-    controls_->setEnabled(true);
-    banner_->hide();
-    clear();
-  });
+  connect(link_, &NodeLink::bodiesOffered, this, &Panel::offer);
+  connect(link_, &NodeLink::found, this, &Panel::onFound);
   connect(link_, &NodeLink::lost, this, &Panel::onLost);
   connect(link_, &NodeLink::done, notice_, &Notice::say);
   connect(link_, &NodeLink::refused, notice_, &Notice::refuse);
@@ -129,14 +130,14 @@ void Panel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
   QString node;
   if (config.mapGetString("Node", &node)) link_->setNode(node);
-  showText(node_, link_->node());
+  showText(node_, link_->givenNode());
   time_->load(config);
   views_->load(config);
 }
 
 void Panel::save(rviz::Config config) const {
   rviz::Panel::save(config);
-  config.mapSetValue("Node", link_->node());
+  config.mapSetValue("Node", link_->givenNode());
   time_->save(config);
   views_->save(config);
 }
@@ -148,10 +149,20 @@ QSize Panel::sizeHint() const {
 void Panel::takeTypedNode() {
   if (!node_->isModified()) return;
   node_->setModified(false);
-  const QString before = link_->node();
+  const QString before = link_->givenNode();
   link_->setNode(node_->text());
-  showText(node_, link_->node());
-  if (link_->node() != before) Q_EMIT configChanged();
+  showText(node_, link_->givenNode());
+  if (link_->givenNode() != before) Q_EMIT configChanged();
+}
+
+void Panel::lookFrom(const QString& view) {
+  rviz::ViewManager* const views = vis_manager_->getViewManager();
+  for (int i = 0; i < views->getNumViews(); ++i) {
+    if (views->getViewAt(i)->getName() == view) {
+      views_->take(i);
+      return;
+    }
+  }
 }
 
 void Panel::clear() {
@@ -168,25 +179,39 @@ void Panel::onStatus(const NodeStatus& status) {
   }
   scene_ = scene;
   notice_->showStatus(status);
-  time_->showTime(status.time);
-  method_->showStatus(status);
-  read_outs_->showStatus(status, method_->body());
+  banner_->showStatus(status.waiting_for_clock);
+  time_->showStatus(status);
+  offer(bodyNames(status));
+  method_->showStatus(status, body_->currentText());
+  read_outs_->showStatus(status, body_->currentText());
 }
 
 void Panel::onState(const BodyState& state) {
-  if (QString::fromStdString(state.body) != method_->body()) return;  // on its way when another was chosen
+  if (QString::fromStdString(state.body) != body_->currentText()) return;  // on its way when another was chosen
   newest_ = state;
   plots_->add(state);
   views_->camera().showState(state);
 }
 
+void Panel::setControllable(bool controllable) {
+  controls_->setEnabled(controllable);
+  method_->setEnabled(controllable);
+  banner_->refresh();
+}
+
+void Panel::offer(const QStringList& bodies) {
+  const QString present = body_->currentText();
+  showChoices(body_, plainChoices(bodies), bodies.contains(present) || bodies.isEmpty() ? present : bodies.front());
+}
+
+void Panel::onFound() {
+  setControllable(true);
+  clear();
+}
+
 void Panel::onLost() {
-  controls_->setEnabled(false);
-  banner_->setText(QString("No node answers at <b>%1</b>. Start one:<br><tt>roslaunch poinsot demo.launch</tt><br>(A "
-                           "recording plays without a node, and cannot be controlled.)")
-                       .arg(link_->node().toHtmlEscaped()));
-  banner_->show();
-  showText(node_, link_->node());
+  setControllable(false);
+  showText(node_, link_->givenNode());
   notice_->forgetNode();
   clear();
 }
@@ -197,7 +222,8 @@ void Panel::refresh() {
   if (const auto eye = eyeInWorld(*vis_manager_)) link_->setEye(*eye);
   link_->setLightBackground(isBackgroundLight(*vis_manager_));
   notice_->refresh();
-  const QString body = isVisible() ? method_->body() : QString();
+  banner_->refresh();
+  const QString body = isVisible() ? body_->currentText() : QString();
   if (body != link_->body()) {
     clear();
     link_->setBody(body);
@@ -205,7 +231,7 @@ void Panel::refresh() {
   if (!isVisible()) return;
   if (newest_) {
     read_outs_->showState(*newest_);
-    time_->showTime(newest_->time);
+    time_->showState(*newest_);
     newest_.reset();
   }
   plots_->refresh();

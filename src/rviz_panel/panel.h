@@ -4,7 +4,7 @@
 #include <poinsot/NodeStatus.h>
 #include <rviz/panel.h>
 
-#include <QLabel>
+#include <QComboBox>
 #include <QTimer>
 #include <optional>
 
@@ -12,6 +12,7 @@
 
 namespace poinsot::rviz_panel {
 
+class Banner;
 class MethodChoice;
 class NodeLink;
 class Notice;
@@ -34,22 +35,29 @@ class Panel : public rviz::Panel {
   QSize sizeHint() const override;
 
  private:
-  /** Makes all that needs a node. */
+  /** Makes what needs a node, apart from the choice of a method. */
   QWidget* makeControls();
   QWidget* makePage();
   void listen();
   void onStatus(const NodeStatus& status);
   void onState(const BodyState& state);
+  void onFound();
   void onLost();
+  void setControllable(bool controllable);
+  /** Shows the bodies that there are, of which one is read out and plotted. */
+  void offer(const QStringList& bodies);
   void takeTypedNode();
+  /** Looks from the saved view of that name, if there is one. */
+  void lookFrom(const QString& view);
   void refresh();
   /** Forgets what the body did. */
   void clear();
 
   NodeLink* link_;
-  QLabel* banner_;
+  Banner* banner_;
   QWidget* controls_;
   TimeControl* time_;
+  QComboBox* body_;
   MethodChoice* method_;
   ReadOuts* read_outs_;
   Plots* plots_;

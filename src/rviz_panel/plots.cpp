@@ -24,11 +24,14 @@ namespace {
 
 constexpr double kWindow = 20;    // s of stamps
 constexpr int kCapacity = 4000;   // samples
-constexpr int kHeight = 116;      // pixels of each plot
+constexpr int kHeight = 106;      // pixels of a plot
+constexpr int kLowHeight = 74;    // of that of E/E₀
 constexpr double kFloor = 1e-17;  // of the log scale; 0 is drawn there
 constexpr double kLowestTop = 1e-11;
-constexpr double kRoom = 0.02;     // of the span shown
-constexpr double kAxisWidth = 40;  // pixels, so that both plots lie one above the other
+constexpr double kLeastChange = 0.01;  // of E/E₀ that the scale shows, up and down
+constexpr double kNoChange = 1e-9;     // far less than a pixel: rounding is not to look like noise
+constexpr double kRoom = 0.02;         // of the span shown
+constexpr double kAxisWidth = 40;      // pixels, so that the plots lie one above the other
 
 /** Ticks with true minus signs and powers of ten; a time far from 0 in full. */
 class Ticks : public QwtScaleDraw {
@@ -43,10 +46,10 @@ class Ticks : public QwtScaleDraw {
   bool logarithmic_;
 };
 
-QwtPlot* makePlot(const QString& name, const QString& tip, bool logarithmic) {
+QwtPlot* makePlot(const QString& name, const QString& tip, int height, bool logarithmic = false) {
   auto* const plot = new QwtPlot;
   describe(plot, name, tip);
-  plot->setFixedHeight(kHeight);
+  plot->setFixedHeight(height);
   plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   plot->setAutoReplot(false);
   plot->setCanvasBackground(colours::kPaper);
@@ -88,12 +91,14 @@ QLabel* makeLegend(const QString& text) {
   return legend;
 }
 
-QString coloured(const QString& text, const QColor& colour) {
-  return QString("<b><span style='color:%1'>%2</span></b>").arg(colour.name(), text);
+/** The word stays as dark as any other, to be read; what is coloured is a square before it. */
+QString marked(const QString& word, const QColor& colour) {
+  return QString("<span style='color:%1'>■</span>&nbsp;%2").arg(colour.name(), word);
 }
 
 /** Draws the points of each curve, over times `from` to `to`, and just the ticks of the scale. */
-void draw(QwtPlot* plot, const std::array<QwtPlotCurve*, 3>& curves, const std::array<QPolygonF, 3>& points,
+template <std::size_t n>
+void draw(QwtPlot* plot, const std::array<QwtPlotCurve*, n>& curves, const std::array<QPolygonF, n>& points,
           double from, double to, const QwtScaleDiv& scale) {
   plot->setAxisScaleDiv(QwtPlot::yLeft, scale);
   plot->setAxisScale(QwtPlot::xBottom, from, to);
@@ -116,13 +121,15 @@ double roundUp(double value) {
 Plots::Plots() : history_(kWindow, kCapacity) {
   auto* const layout = makeLayout<QVBoxLayout>(this, 1);
   omega_plot_ =
-      makePlot("omega_plot", "The angular velocity of the body in its principal axes, over simulation time.", false);
+      makePlot("omega_plot", "The angular velocity of the body in its principal axes, over simulation time.", kHeight);
+  energy_plot_ =
+      makePlot("energy_plot", "E/E₀, over simulation time; E₀ is the energy when the segment began.", kLowHeight);
   error_plot_ =
       makePlot("error_plot",
                "How far energy and momentum have drifted since the segment began, and how far the attitude is "
                "from the closed form, over simulation time.",
-               true);
-  const std::array<QColor, 3> omega_colours = {colours::kOmega1, colours::kOmega2, colours::kOmega3};
+               kHeight, true);
+  const std::array<QColor, 3> omega_colours = {colours::kAxis1, colours::kAxis2, colours::kAxis3};
   const std::array<QColor, 3> error_colours = {colours::kEnergy, colours::kMomentum, colours::kAttitudeError};
   for (int i = 0; i < 3; ++i) {
     omega_curves_[i] = makeCurve(omega_plot_, omega_colours[i], 1.5);
@@ -131,9 +138,13 @@ Plots::Plots() : history_(kWindow, kCapacity) {
     omega_tips_[i]->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, omega_colours[i], QPen(Qt::NoPen), QSize(6, 6)));
     error_curves_[i] = makeCurve(error_plot_, error_colours[i], 1.5);
   }
-  layout->addWidget(makeLegend(coloured("Ω₁", omega_colours[0]) + " " + coloured("Ω₂", omega_colours[1]) + " " +
-                               coloured("Ω₃", omega_colours[2]) + " in rad/s, principal axes, over t in s"));
+  energy_curves_[0] = makeCurve(energy_plot_, colours::kEnergy, 1.5);
+  layout->addWidget(makeLegend(marked("Ω₁", omega_colours[0]) + " " + marked("Ω₂", omega_colours[1]) + " " +
+                               marked("Ω₃", omega_colours[2]) + " in rad/s, principal axes, over t in s"));
   layout->addWidget(omega_plot_);
+  layout->addSpacing(4);
+  layout->addWidget(makeLegend(marked("E/E₀", colours::kEnergy)));
+  layout->addWidget(energy_plot_);
   layout->addSpacing(4);
   error_legend_ = makeLegend({});
   error_legend_->setObjectName("error_legend");
@@ -144,9 +155,9 @@ Plots::Plots() : history_(kWindow, kCapacity) {
 }
 
 void Plots::showLegend(bool has_truth) {
-  const QString both = coloured("energy", colours::kEnergy) + ", " + coloured("momentum", colours::kMomentum);
+  const QString both = marked("energy", colours::kEnergy) + ", " + marked("momentum", colours::kMomentum);
   error_legend_->setText(has_truth
-                             ? "drift of " + both + "; " + coloured("true error", colours::kAttitudeError) + " in rad"
+                             ? "drift of " + both + "; " + marked("true error", colours::kAttitudeError) + " in rad"
                              : "change of " + both + ", relative");
 }
 
@@ -189,6 +200,7 @@ void Plots::refresh() {
   const bool backwards = history_.size() > 1 && history_.newest().time < history_[history_.size() - 2].time;
   (backwards ? from : to) += backwards ? -room : room;
   drawOmega(from, to);
+  drawEnergy(from, to);
   drawErrors(from, to);
 }
 
@@ -207,6 +219,20 @@ void Plots::drawOmega(double from, double to) {
   for (int i = 0; i < 3; ++i) omega_tips_[i]->setSamples(points[i].mid(points[i].size() - 1));
   draw(omega_plot_, omega_curves_, points, from, to,
        QwtScaleDiv(-omega_bound_, omega_bound_, {}, {}, {-omega_bound_, 0, omega_bound_}));
+}
+
+void Plots::drawEnergy(double from, double to) {
+  std::array<QPolygonF, 1> points;
+  double low = kLeastChange, high = kLeastChange;  // below and above 1
+  for (std::size_t k = 0; k < history_.size(); ++k) {
+    const double change = history_[k].energy_drift;
+    if (!std::isfinite(change)) continue;
+    points[0] << QPointF(history_[k].time, std::abs(change) < kNoChange ? 1 : 1 + change);
+    low = std::max(low, -change);
+    high = std::max(high, change);
+  }
+  const double bottom = 1 - std::min(1.0, roundUp(low)), top = 1 + roundUp(high);
+  draw(energy_plot_, energy_curves_, points, from, to, QwtScaleDiv(bottom, top, {}, {}, {bottom, 1, top}));
 }
 
 void Plots::drawErrors(double from, double to) {

@@ -16,7 +16,8 @@ class QwtPlotCurve;
 namespace poinsot::rviz_panel {
 
 /**
- * The last seconds of one body: Ω in principal axes, and on a log scale how far energy, momentum and attitude are off.
+ * The last seconds of one body: Ω in principal axes, E/E₀, and on a log scale how far energy, momentum and attitude are
+ * off.
  */
 class Plots : public QWidget {
  public:
@@ -32,6 +33,7 @@ class Plots : public QWidget {
   /** Under torques there is no true error, and a change is no drift. */
   void showLegend(bool has_truth);
   void drawOmega(double from, double to);
+  void drawEnergy(double from, double to);
   void drawErrors(double from, double to);
 
   History history_;
@@ -39,9 +41,11 @@ class Plots : public QWidget {
   bool changed_ = true;
   double omega_bound_ = 0;
   QwtPlot* omega_plot_;
+  QwtPlot* energy_plot_;
   QwtPlot* error_plot_;
   QLabel* error_legend_;
   std::array<QwtPlotCurve*, 3> omega_curves_;
+  std::array<QwtPlotCurve*, 1> energy_curves_;
   std::array<QwtPlotCurve*, 3> error_curves_;
   std::array<QwtPlotCurve*, 3> omega_tips_;
 };

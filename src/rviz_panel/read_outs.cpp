@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "colours.h"
+#include "regime_text.h"
 #include "status.h"
 #include "text.h"
 
@@ -42,10 +43,10 @@ ReadOuts::ReadOuts() : grid_(makeLayout<QGridLayout>(this)) {
   cost_ = addRow(4, "cost", "cost", "CPU time that the motion takes per simulated second, measured.", 2);
   regime_title_ = addTitle(
       5, "regime",
-      "What Ω goes round on its polhode: the axis of smallest moment, or that of largest. A body that flips goes round "
-      "one of them as well, from one end of the axis between to the other and back. Of the true motion.");
-  regime_ = new ElidedLabel;
-  regime_->setObjectName("regime");
+      "Whether the body turns over or only wobbles, and which axis Ω circles on its polhode. A body that turns over "
+      "circles one as well, from one end of the axis of intermediate moment to the other and back. Of the true "
+      "motion.");
+  regime_ = makeWords("regime", 1, 2);
   grid_->addWidget(regime_, 5, 1, 1, 2);
   clear();
 }
@@ -72,17 +73,19 @@ QLabel* ReadOuts::addRow(int row, const QString& title, const QString& name, con
 }
 
 void ReadOuts::clear() {
+  held_ = false;
   for (QLabel* label :
        {energy_, energy_drift_, momentum_, momentum_drift_, attitude_error_, flips_, next_flip_, cost_}) {
     label->setText(text::kUnknown);
   }
-  regime_->setFullText(text::kUnknown);
+  regime_->setText(text::kUnknown);
 }
 
 void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
   const BodyStatus* const shown = bodyNamed(status, body);
   if (!shown) return;
-  regime_->setFullText(QString::fromStdString(shown->regime));
+  showHeld(*shown);
+  regime_->setText(regimeText(*shown));
   const double to_next = shown->time_to_next_flip;
   const bool foreseen = !std::isnan(to_next);
   const bool counts = foreseen && shown->flips;
@@ -100,7 +103,17 @@ void ReadOuts::showStatus(const NodeStatus& status, const QString& body) {
   regime_title_->setText(of_true_motion + "regime");
 }
 
+void ReadOuts::showHeld(const BodyStatus& body) {
+  held_ = std::isfinite(body.held_energy);
+  if (!held_) return;
+  energy_->setText(text::withPrefix(body.held_energy, "J", 5));
+  momentum_->setText(text::withPrefix(body.held_momentum, "N·m·s", 5));
+  energy_drift_->setText("if let go");
+  momentum_drift_->setText("if let go");
+}
+
 void ReadOuts::showState(const BodyState& state) {
+  if (held_) return;
   energy_->setText(text::withPrefix(state.kinetic_energy, "J", 5));
   momentum_->setText(text::withPrefix(norm(state.momentum_world), "N·m·s", 5));
   const bool free = !std::isnan(state.attitude_error);

@@ -24,6 +24,7 @@ class ReadOuts : public QWidget {
   void clear();
 
  private:
+  void showHeld(const BodyStatus& body);
   QLabel* addTitle(int row, const QString& text, const QString& tip);
   QLabel* addRow(int row, const QString& title, const QString& name, const QString& tip, int columns = 1);
   QLabel* addValue(int row, int column, const QString& name, const QString& tip, int columns = 1);
@@ -39,7 +40,8 @@ class ReadOuts : public QWidget {
   QLabel* next_flip_;
   QLabel* cost_;
   QLabel* regime_title_;
-  ElidedLabel* regime_;
+  QLabel* regime_;
+  bool held_ = false;  ///< the spin is being dragged: energy and momentum are those of the motion that would begin
 };
 
 }  // namespace poinsot::rviz_panel

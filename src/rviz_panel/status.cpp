@@ -1,6 +1,5 @@
 #include "status.h"
 
-#include <QStringList>
 #include <algorithm>
 
 namespace poinsot::rviz_panel {
@@ -33,6 +32,11 @@ bool isChanging(const NodeStatus& status) {
                      [](const Activity& activity) { return activity.kind != Activity::SEEK; });
 }
 
+bool isSeeking(const NodeStatus& status) {
+  return std::any_of(status.activities.begin(), status.activities.end(),
+                     [](const Activity& activity) { return activity.kind == Activity::SEEK; });
+}
+
 QString activityText(const NodeStatus& status) {
   QStringList texts;
   for (const Activity& activity : status.activities) texts << textOf(activity);
@@ -45,6 +49,12 @@ const BodyStatus* bodyNamed(const NodeStatus& status, const QString& name) {
     if (QString::fromStdString(body.name) == name) return &body;
   }
   return nullptr;
+}
+
+QStringList bodyNames(const NodeStatus& status) {
+  QStringList out;
+  for (const BodyStatus& body : status.bodies) out << QString::fromStdString(body.name);
+  return out;
 }
 
 bool HoldOff::holds(bool at_work) {

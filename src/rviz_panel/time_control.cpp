@@ -1,5 +1,6 @@
 #include "time_control.h"
 
+#include <QPalette>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
@@ -15,6 +16,10 @@ constexpr std::pair<double, const char*> kSpans[] = {
     {10, "10 s"}, {60, "1 min"}, {600, "10 min"}, {3600, "1 h"}, {86400, "1 day"}};
 constexpr int kUsualSpan = 1;
 
+double seconds(const QElapsedTimer& timer) {
+  return 1e-3 * static_cast<double>(timer.elapsed());
+}
+
 }  // namespace
 
 TimeControl::TimeControl(NodeLink* link) : link_(link) {
@@ -22,6 +27,9 @@ TimeControl::TimeControl(NodeLink* link) : link_(link) {
   describe(time_, "time", "Simulation time t in seconds. Type a time and press Enter to be there, as 12.5 or 1e9.");
   setLetters(time_, 1.25, true);
   time_->setAlignment(Qt::AlignRight);
+  QPalette palette = time_->palette();  // t can also be read where it cannot be chosen: in a recording
+  palette.setColor(QPalette::Disabled, QPalette::Text, palette.color(QPalette::Active, QPalette::Text));
+  time_->setPalette(palette);
   span_ = makeList("span", "How much time the slider spans. Beyond its end it turns to the next page.", 5);
   for (const auto& [seconds, text] : kSpans) span_->addItem(text, seconds);
   span_->setCurrentIndex(kUsualSpan);
@@ -45,11 +53,13 @@ TimeControl::TimeControl(NodeLink* link) : link_(link) {
   connect(span_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &TimeControl::newPage);
   connect(both_sides_, &QToolButton::toggled, this, &TimeControl::newPage);
   connect(link, &NodeLink::resetting, this, &TimeControl::showStart);
+  clock_.start();
   newPage();
 }
 
 void TimeControl::seekToSlider() {
   hold_off_.begin();
+  asked_.end();
   now_ = page_.timeAt(static_cast<double>(slider_->value()) / kPositions);
   time_->setText(text::time(now_));
   link_->seek(now_);
@@ -64,6 +74,8 @@ void TimeControl::seekToText() {
     return;
   }
   hold_off_.end();
+  asked_.ask(seconds(clock_));
+  display(time);
   link_->seek(time);
 }
 
@@ -99,8 +111,21 @@ void TimeControl::showOnSlider() {
   showPosition(slider_, static_cast<int>(std::lround(kPositions * page_.shareAt(now_))));
 }
 
-void TimeControl::showTime(double time) {
-  if (slider_->isSliderDown() || hold_off_.holds()) return;
+void TimeControl::showStatus(const NodeStatus& status) {
+  showTime(status.time, status.segment, isSeeking(status));
+}
+
+void TimeControl::showState(const BodyState& state) {
+  showTime(state.time, state.segment, false);
+}
+
+void TimeControl::showTime(double time, std::uint32_t segment, bool seeking) {
+  const bool hidden = asked_.hides(segment, seeking, seconds(clock_));
+  if (hidden || slider_->isSliderDown() || hold_off_.holds()) return;
+  display(time);
+}
+
+void TimeControl::display(double time) {
   now_ = time;
   showText(time_, text::time(time));
   const double from = page_.from();
@@ -114,6 +139,7 @@ void TimeControl::showTime(double time) {
 
 void TimeControl::showStart() {
   hold_off_.end();
+  asked_.end();
   now_ = 0;
   // Not turned to: t = 0 is also the end of the page before.
   page_ = TimePage(span_->currentData().toDouble(), both_sides_->isChecked());

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <poinsot/BodyState.h>
+#include <poinsot/NodeStatus.h>
 #include <rviz/config.h>
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 #include <QWidget>
+#include <cstdint>
 
+#include "asked_time.h"
 #include "status.h"
 #include "time_page.h"
 #include "widgets.h"
@@ -23,7 +28,8 @@ class TimeControl : public QWidget {
  public:
   explicit TimeControl(NodeLink* link);
 
-  void showTime(double time);
+  void showStatus(const NodeStatus& status);
+  void showState(const BodyState& state);
 
   void load(const rviz::Config& panel);
   void save(rviz::Config panel) const;
@@ -32,6 +38,11 @@ class TimeControl : public QWidget {
   void spanChanged();
 
  private:
+  /** Shows the t of a message, unless another is asked for. @param seeking whether the node is on its way to another.
+   */
+  void showTime(double time, std::uint32_t segment, bool seeking);
+  /** Shows t in the line, on the slider and on the page. */
+  void display(double time);
   void showStart();
   void seekToSlider();
   void seekToText();
@@ -49,6 +60,8 @@ class TimeControl : public QWidget {
   TimePage page_;
   double now_ = 0;
   HoldOff hold_off_;
+  AskedTime asked_;
+  QElapsedTimer clock_;
 };
 
 }  // namespace poinsot::rviz_panel

@@ -48,9 +48,10 @@ class ViewChoice : public QWidget {
 
   /** Shows a button for each view that RViz has saved, and fits the views where the window has another size. */
   void refresh();
+  /** Looks from the saved view at that place in RViz's list; nothing where there is none. */
+  void take(int index);
 
  private:
-  void take(int index);
   void choose(const QString& view);
   void markChosen();
   /** Fits the saved views, and the camera that shows one of them. */

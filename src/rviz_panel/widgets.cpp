@@ -1,12 +1,11 @@
 #include "widgets.h"
 
-#include <QAbstractItemView>
 #include <QEvent>
 #include <QFont>
 #include <QKeyEvent>
 #include <QProxyStyle>
-#include <QResizeEvent>
 #include <QSignalBlocker>
+#include <utility>
 
 namespace poinsot::rviz_panel {
 namespace {
@@ -37,10 +36,23 @@ void leaveWheelToPanel(QWidget* widget) {
   widget->installEventFilter(new WheelGuard(widget));
 }
 
-QStringList itemsOf(const QComboBox& combo) {
-  QStringList out;
-  for (int i = 0; i < combo.count(); ++i) out << combo.itemText(i);
-  return out;
+/** Whether a key moves the cursor in a line of text, or changes the text. */
+bool changes(const QKeyEvent& event) {
+  if (!event.text().isEmpty() && event.text().at(0).isPrint()) return true;
+  for (const auto key : {QKeySequence::Paste, QKeySequence::SelectAll}) {
+    if (event.matches(key)) return true;
+  }
+  switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -61,6 +73,17 @@ void setLetters(QWidget* widget, double size, bool bold) {
 QLabel* makeLabel(const QString& text, double size, bool bold) {
   auto* const label = new QLabel(text);
   setLetters(label, size, bold);
+  return label;
+}
+
+QLabel* makeWords(const QString& name, double size, int lines) {
+  QLabel* const label = makeLabel("", size);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  label->setSizePolicy(policy);
+  label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
   return label;
 }
 
@@ -105,41 +128,13 @@ QSlider* makeSlider(const QString& name, const QString& tip, int last, int singl
   return slider;
 }
 
-ElidedLabel::ElidedLabel() {
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  setMinimumWidth(1);
-}
-
-void ElidedLabel::setFullText(const QString& text) {
-  if (text == full_) return;
-  full_ = text;
-  elide();
-}
-
-void ElidedLabel::resizeEvent(QResizeEvent* event) {
-  QLabel::resizeEvent(event);
-  elide();
-}
-
-void ElidedLabel::elide() {
-  const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width());
-  setText(shown);
-  setToolTip(shown == full_ ? QString() : full_);
-}
-
-void showChoices(QComboBox* combo, const QStringList& choices, const QString& current) {
-  if (combo->view()->isVisible()) return;
-  const QSignalBlocker quiet(combo);
-  if (itemsOf(*combo) != choices) {
-    combo->clear();
-    combo->addItems(choices);
-  }
-  const int index = combo->findText(current);
-  if (index != combo->currentIndex()) combo->setCurrentIndex(index);
-}
-
 LiveEdit::LiveEdit(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::returnPressed, this, &LiveEdit::letGo);
+}
+
+void LiveEdit::hold() {
+  if (std::exchange(held_, true)) return;
+  selectAll();
 }
 
 void LiveEdit::letGo() {
@@ -150,12 +145,12 @@ void LiveEdit::letGo() {
 
 void LiveEdit::mousePressEvent(QMouseEvent* event) {
   QLineEdit::mousePressEvent(event);
-  if (held_) return;  // a second click is to a place in the text
-  held_ = true;
-  selectAll();
+  hold();  // a second click is to a place in the text
 }
 
-void LiveEdit::mouseDoubleClickEvent(QMouseEvent*) {
+void LiveEdit::mouseDoubleClickEvent(QMouseEvent* event) {
+  QLineEdit::mouseDoubleClickEvent(event);  // from which Qt knows that a third click belongs to it
+  hold();
   selectAll();  // and not the digits before or after the point
 }
 
@@ -164,12 +159,19 @@ void LiveEdit::keyPressEvent(QKeyEvent* event) {
     letGo();
     return;
   }
+  if (changes(*event)) hold();
   QLineEdit::keyPressEvent(event);
+}
+
+void LiveEdit::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  const Qt::FocusReason reason = event->reason();
+  if (reason == Qt::ShortcutFocusReason || reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) hold();
 }
 
 void LiveEdit::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
-  letGo();
+  if (event->reason() != Qt::PopupFocusReason) letGo();  // its own menu
 }
 
 void showText(QLineEdit* edit, const QString& text) {

@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QSlider>
 #include <QString>
-#include <QStringList>
 #include <QWidget>
 #include <cstddef>
 #include <vector>
@@ -37,6 +36,9 @@ Button* makeButton(const QString& text, const QString& name, const QString& tip)
 /** Returns a label with letters `size` times as large as usual. */
 QLabel* makeLabel(const QString& text, double size = 1, bool bold = false);
 
+/** Returns a label for words that take as many lines as they need, at least so many. */
+QLabel* makeWords(const QString& name, double size, int lines);
+
 /** Returns a label whose underlined letter moves the focus to a widget. */
 QLabel* labelOf(QWidget* widget, const QString& text);
 
@@ -53,8 +55,9 @@ QHBoxLayout* makeRow(const std::vector<QWidget*>& widgets, std::size_t wide = 1)
 void setLetters(QWidget* widget, double size, bool bold = false);
 
 /**
- * A line that shows what changes by itself, and can be typed over: from a click on it stays as it is, all of it
- * selected, until Enter, Escape or until it is left.
+ * A line that shows what changes by itself, and can be typed over. It stays as it is from a click, from when its key or
+ * Tab leads to it (all of it is then selected) and from the first key that changes it (what is typed replaces all of
+ * it), until Enter, Escape or until it is left. A double or triple click selects all of it.
  */
 class LiveEdit : public QLineEdit {
   Q_OBJECT
@@ -67,29 +70,14 @@ class LiveEdit : public QLineEdit {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  void hold();
   void letGo();
   bool held_ = false;
 };
-
-/** A label that takes only the space that there is: what does not fit is shown as "…", and in full as a tooltip. */
-class ElidedLabel : public QLabel {
- public:
-  ElidedLabel();
-  void setFullText(const QString& text);
-
- protected:
-  void resizeEvent(QResizeEvent* event) override;
-
- private:
-  void elide();
-  QString full_;
-};
-
-/** Shows these choices, the current one chosen, without a signal. Nothing happens while one of them is being picked. */
-void showChoices(QComboBox* combo, const QStringList& choices, const QString& current);
 
 /** Shows a text unless the user is editing the line. */
 void showText(QLineEdit* edit, const QString& text);

@@ -209,6 +209,7 @@ Status Session::status() const {
     body.step = setup.step;
     body.methods = scene::methodsFor(playing_.scene.bodies[i]);
     const Body& seen = drawn(i);
+    if (&seen != bodies_[i].get()) body.held = seen.state().invariants();
     body.free = freeMotion(seen.motion(), seen.regime(), seen.state().time, clock_.speed());
     out.bodies.push_back(std::move(body));
   }

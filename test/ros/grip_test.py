@@ -177,7 +177,10 @@ class GripTest(unittest.TestCase):
             d = AXES.T @ direction
             side = (MOMENTS[2] * (MOMENTS[2] - MOMENTS[1]) * d[2] ** 2 - MOMENTS[0] * (MOMENTS[1] - MOMENTS[0]) * d[0] ** 2)
             words = "about the axis of %s moment" % ("largest" if side > 0 else "smallest")
-            self.status.next_where(lambda s: s.bodies[0].regime == words)
+            status = self.status.next_where(lambda s: s.bodies[0].regime == words).bodies[0]
+            self.assertEqual(status.regime_kind, status.ABOUT_LARGEST if side > 0 else status.ABOUT_SMALLEST)
+            self.assertAlmostEqual(status.held_energy / energy(omega), 1, delta=1e-9)
+            self.assertAlmostEqual(status.held_momentum / momentum(omega), 1, delta=1e-9)
             families.add(words)
             polhode = self.drawn("polhode")
             points = np.array([array(p) for p in polhode.points])
@@ -190,6 +193,7 @@ class GripTest(unittest.TestCase):
         after = self.let_go()
         self.assertEqual((after.time, after.segment), (0, before.segment + 1))
         np.testing.assert_allclose(array(after.omega_body), omega, rtol=1e-9)
+        self.assertTrue(math.isnan(self.status.next_where(lambda s: s.segment == after.segment).bodies[0].held_energy))
         self.assertAlmostEqual(after.kinetic_energy / before.kinetic_energy, 1, delta=1e-12)
         self.assertLess(graph.quaternion_distance(before.attitude, after.attitude), 1e-14, "the body jumped")
         self.states.next_where(lambda s: s.time > 0.2)  # it plays on as before

@@ -416,6 +416,65 @@ TEST_F(Panel, theSceneChangesWhilePlaying) {
   shown->picture("panel_regimes");
 }
 
+TEST_F(Panel, saysWhatTheBodyDoesAndWhatTheSceneShows) {
+  EXPECT_TRUE(until([] { return find<QLabel>("regime")->text().startsWith("turns over; Ω circles the axis of "); }))
+      << find<QLabel>("regime")->text().toStdString();
+  EXPECT_TRUE(find<QLabel>("scene_words")->text().contains("turns over every 5.1 s"));
+  EXPECT_TRUE(find<QLabel>("method_words")->text().startsWith("exact"));
+  QTest::mouseClick(combo("scene"), Qt::LeftButton);
+  spin(1);
+  shown->picture("panel_scenes");
+  QTest::keyClick(combo("scene")->view(), Qt::Key_Escape);
+  QTest::mouseClick(combo("method"), Qt::LeftButton);
+  spin(1);
+  shown->picture("panel_methods");
+  QTest::keyClick(combo("method")->view(), Qt::Key_Escape);
+}
+
+TEST_F(Panel, theTourLeadsFromCardToCard) {
+  const auto isOn = [](int card) {
+    return until([&] { return find<QLabel>("tour_title")->text().startsWith(QString("%1 of 8").arg(card)); });
+  };
+  press<QToolButton>("tour");
+  ASSERT_TRUE(isOn(1));
+  EXPECT_FALSE(find<QPushButton>("tour_back")->isEnabled());
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(2));
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time >= 6.5 && state.time_rate == 0.25; }));
+  spin(1);
+  shown->picture("panel_tour");
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(3));
+  EXPECT_TRUE(until([] {
+    for (const auto* view : shown->frame().findChildren<QPushButton*>()) {
+      if (view->text() == "Along L" && view->isChecked()) return true;
+    }
+    return false;
+  })) << "not seen along L";
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(isOn(4));
+  EXPECT_TRUE(until([] { return combo("scene")->currentText() == "regimes"; }));
+  press<QPushButton>("tour_back");
+  ASSERT_TRUE(isOn(3));
+  // The node does not answer: the tour stays where it is, and goes on when the node is back.
+  node->freeze();
+  press<QPushButton>("tour_next");
+  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  EXPECT_TRUE(find<QLabel>("tour_title")->text().startsWith("3 of 8"));
+  node->thaw();
+  ASSERT_TRUE(until([] { return controls()->isEnabled() && combo("scene")->currentText() == "regimes"; }));
+  EXPECT_TRUE(find<QLabel>("tour_title")->text().startsWith("3 of 8"));
+  for (int card = 4; card <= 8; ++card) {
+    press<QPushButton>("tour_next");
+    ASSERT_TRUE(isOn(card));
+  }
+  EXPECT_FALSE(find<QPushButton>("tour_next")->isEnabled());
+  EXPECT_TRUE(until([] { return heard->description.method == "lie_euler" && heard->description.step == 1.0 / 60; }));
+  EXPECT_TRUE(untilState([](const auto& state) { return state.time_rate == 1; }));
+  press<QToolButton>("tour");
+  EXPECT_FALSE(find<QWidget>("tour_box")->isVisible());
+}
+
 TEST_F(Panel, torquesAreCalledByTheirName) {
   pick("scene", "damped_tumble");
   EXPECT_TRUE(until([] { return find<QLabel>("attitude_error")->text() == "no closed form under torque"; }));
@@ -627,6 +686,13 @@ TEST_F(Panel, theNodesNameIsASetting) {
   panel->load(config);
   EXPECT_TRUE(until([] { return controls()->isEnabled(); }));
   EXPECT_EQ(find<QLineEdit>("node")->text(), "/poinsot");
+  // A relative one is looked for in RViz's namespace, and saved as it was given.
+  config.mapSetValue("Node", "poinsot");
+  panel->load(config);
+  panel->save(config);
+  ASSERT_TRUE(config.mapGetString("Node", &saved));
+  EXPECT_EQ(saved, "poinsot");
+  EXPECT_TRUE(controls()->isEnabled()) << "it is the same node";
   EXPECT_TRUE(until([] { return find<QLabel>("energy")->text().contains("J"); })) << "its states are not heard";
 }
 
@@ -651,6 +717,38 @@ TEST_F(Panel, aNodeThatDiesIsMissedAndOneThatComesBackIsFound) {
     press<QPushButton>("play");
     ASSERT_TRUE(untilState([](const auto& state) { return state.time_rate == -1; }));
   }
+}
+
+TEST_F(Panel, aRecordingIsReadOutWithoutANode) {
+  node.reset();
+  ASSERT_TRUE(until([] { return find<QLabel>("banner")->isVisible(); }));
+  ros::NodeHandle handle;
+  ros::Publisher player = handle.advertise<poinsot::BodyState>("/recorded/state", 100);
+  poinsot::BodyState state;
+  state.body = "recorded";
+  state.kinetic_energy = 2;
+  state.omega_body.z = 1;
+  state.momentum_world.z = 4;
+  const auto playsUntil = [&](const std::function<bool()>& condition) {
+    return until([&] {
+      state.time += 0.01;
+      state.header.stamp = ros::Time::now();
+      player.publish(state);
+      return condition();
+    });
+  };
+  ASSERT_TRUE(playsUntil([] { return combo("body")->findText("recorded") >= 0; }));
+  pick("body", "recorded");
+  EXPECT_TRUE(playsUntil([] { return find<QLabel>("banner")->text().contains("A recording"); }));
+  EXPECT_TRUE(playsUntil([] { return find<QLabel>("energy")->text() == "2 J"; }));
+  EXPECT_TRUE(find<QLabel>("energy")->isEnabled());
+  EXPECT_FALSE(controls()->isEnabled());
+  EXPECT_FALSE(combo("method")->isEnabled());
+  EXPECT_TRUE(playsUntil([] { return notice() == "Showing a recording."; }));
+  spin(3);
+  EXPECT_TRUE(find<QLabel>("banner")->text().contains("A recording")) << "it is paused";
+  EXPECT_EQ(find<QLabel>("energy")->text(), "2 J");
+  shown->picture("panel_recording");
 }
 
 // A stopped node stays connected and answers nothing: were anything here to wait for it, this would not come back.

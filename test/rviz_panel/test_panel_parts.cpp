@@ -9,10 +9,16 @@
 #include <string>
 #include <thread>
 
+#include "asked_time.h"
+#include "banner.h"
 #include "hidden_parts.h"
 #include "history.h"
+#include "method_words.h"
 #include "momentum_camera.h"
 #include "scene_views.h"
+#include "poinsot/core/closed_form.h"
+#include "poinsot/core/method.h"
+#include "regime_text.h"
 #include "speed_scale.h"
 #include "status.h"
 #include "text.h"
@@ -95,6 +101,38 @@ TEST(TimePage, sharesAndTimes) {
   EXPECT_EQ(page.shareAt(-1e300), 0);
   EXPECT_EQ(page.shareAt(kInfinity), 1);
   EXPECT_EQ(page.shareAt(kNaN), 0);
+}
+
+TEST(AskedTime, hidesWhatIsFromBeforeTheJump) {
+  AskedTime asked;
+  EXPECT_FALSE(asked.hides(4, false, 0)) << "nothing was asked for";
+  asked.ask(10);
+  EXPECT_TRUE(asked.hides(4, false, 10.1));
+  EXPECT_FALSE(asked.hides(5, false, 10.2)) << "the node is there";
+  EXPECT_TRUE(asked.hides(4, false, 10.3)) << "a message that came late";
+  EXPECT_FALSE(asked.hides(5, false, 10.4));
+}
+
+TEST(AskedTime, waitsForANodeThatSeeks) {
+  AskedTime asked;
+  asked.hides(4, false, 0);
+  asked.ask(10);
+  for (double now = 10; now < 60; now += 0.5) EXPECT_TRUE(asked.hides(4, true, now)) << now;
+  EXPECT_TRUE(asked.hides(4, false, 60));
+  EXPECT_FALSE(asked.hides(5, false, 60.1));
+}
+
+TEST(AskedTime, givesUpWhatLeadsNowhere) {
+  AskedTime asked;
+  asked.ask(0);
+  EXPECT_FALSE(asked.hides(4, false, 0.1)) << "nothing was heard before";
+  asked.ask(10);
+  EXPECT_TRUE(asked.hides(4, false, 10 + AskedTime::kPatience / 2));
+  EXPECT_FALSE(asked.hides(4, false, 10.1 + AskedTime::kPatience));
+  EXPECT_FALSE(asked.hides(4, false, 10.2 + AskedTime::kPatience));
+  asked.ask(20);
+  asked.end();
+  EXPECT_FALSE(asked.hides(4, false, 20)) << "something else was asked for";
 }
 
 poinsot::BodyState stateAt(double stamp, double time, unsigned segment = 0) {
@@ -199,6 +237,67 @@ TEST(Status, saysWhatIsBeingWorkedOut) {
   status.activities = {activity(200, "", "", "")};
   EXPECT_EQ(activityText(status), "a change") << "of a kind that a later version may add";
   EXPECT_TRUE(isChanging(status));
+}
+
+TEST(Banner, saysWhatKeepsTheNodeFromBeingControlled) {
+  EXPECT_EQ(bannerText(Reach::controllable, "/a"), "");
+  EXPECT_TRUE(bannerText(Reach::waits_for_clock, "/a").contains("is waiting for <b>/clock</b>"));
+  EXPECT_TRUE(bannerText(Reach::recording, "/a").contains("A recording</b> is shown"));
+  EXPECT_TRUE(bannerText(Reach::nobody, "/a").contains("roslaunch poinsot demo.launch"));
+  for (const Reach reach : {Reach::waits_for_clock, Reach::recording, Reach::nobody}) {
+    EXPECT_TRUE(bannerText(reach, "/<a>").contains("<b>/&lt;a&gt;</b>")) << "the node's name, whatever it is";
+  }
+}
+
+TEST(MethodWords, agreeWithTheTableOfMethods) {
+  std::size_t steppers = 0;
+  for (const MethodWords& words : methodWords()) {
+    const poinsot::Method* const method = poinsot::findMethod(words.name);
+    if (!method) {
+      EXPECT_STREQ(words.name, poinsot::kClosedForm);
+      EXPECT_TRUE(words.keeps_momentum && words.keeps_energy && words.order == 0);
+      continue;
+    }
+    ++steppers;
+    EXPECT_EQ(words.order, method->order) << words.name;
+    EXPECT_EQ(words.keeps_momentum, method->conserves_momentum) << words.name;
+    EXPECT_EQ(words.keeps_energy, method->conserves_energy) << words.name;
+    EXPECT_EQ(words.moves_free, method->make_free != nullptr) << words.name;
+  }
+  EXPECT_EQ(steppers, poinsot::methods().size());
+  EXPECT_EQ(methodWords().size(), steppers + 1) << "the closed form";
+}
+
+TEST(MethodWords, sayWhatAMethodIs) {
+  EXPECT_EQ(wordsOfMethod("closed_form"), "exact, any t at once, keeps L and E");
+  EXPECT_EQ(wordsOfMethod("lie_euler"), "course notes' Algorithm 1, order 1, keeps L, not E");
+  EXPECT_EQ(wordsOfMethod("buss2"), "course notes' Algorithm 2, order 2, keeps L, not E");
+  EXPECT_EQ(wordsOfMethod("rk4"), "classical Runge–Kutta, order 4, keeps neither L nor E");
+  EXPECT_EQ(wordsOfMethod("taylor8"), "Taylor series, order 8, under torques");
+  EXPECT_EQ(wordsOfMethod("of_a_later_version"), "");
+}
+
+std::string regime(std::uint8_t kind, bool flips, const char* words = "") {
+  poinsot::BodyStatus body;
+  body.regime_kind = kind;
+  body.flips = flips;
+  body.regime = words;
+  return regimeText(body).toStdString();
+}
+
+TEST(RegimeText, saysWhatTheBodyDoes) {
+  using Body = poinsot::BodyStatus;
+  EXPECT_EQ(regime(Body::ABOUT_LARGEST, true), "turns over; Ω circles the axis of largest moment");
+  EXPECT_EQ(regime(Body::ABOUT_LARGEST, false), "wobbles; Ω circles the axis of largest moment");
+  EXPECT_EQ(regime(Body::ABOUT_SMALLEST, true), "turns over; Ω circles the axis of smallest moment");
+  EXPECT_EQ(regime(Body::ABOUT_SMALLEST, false), "wobbles; Ω circles the axis of smallest moment");
+  EXPECT_EQ(regime(Body::CIRCLE, false), "wobbles; Ω circles the axis of symmetry");
+  EXPECT_EQ(regime(Body::SEPARATRIX, true), "on the separatrix: turns over once, and never again");
+  EXPECT_EQ(regime(Body::BESIDE_SEPARATRIX, true), "on the separatrix, to rounding: turns over seldom");
+  EXPECT_EQ(regime(Body::STEADY, false, "steady about the axis of largest moment"),
+            "steady spin about the axis of largest moment");
+  EXPECT_EQ(regime(Body::UNDER_TORQUE, false, "under torque"), "under torque");
+  EXPECT_EQ(regime(200, false, "of a later version"), "of a later version");
 }
 
 TEST(Status, doesNotParseText) {

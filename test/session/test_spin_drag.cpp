@@ -27,6 +27,9 @@ class Drag : public Played {
   double energy(const Eigen::Vector3d& omega) const {
     return 0.5 * omega.dot(body("wing").inertia.moments().cwiseProduct(omega));
   }
+  double momentum(const Eigen::Vector3d& omega) const {
+    return body("wing").inertia.moments().cwiseProduct(omega).norm();
+  }
 
   std::optional<Eigen::Vector3d> eye;
 };
@@ -71,6 +74,11 @@ TEST_F(Drag, omegaIsLedOverTheEnergyEllipsoidAndStartsThere) {
   const Eigen::Vector3d led = session->preview()->state().omega_body;
   EXPECT_NEAR(energy(led), before, 1e-12);
   EXPECT_LT(led.normalized().cross(Eigen::Vector3d(0.1, 0, 0.9).normalized()).norm(), 1e-12);
+  const Status status = session->status();
+  ASSERT_TRUE(status.bodies[0].held);
+  EXPECT_NEAR(status.bodies[0].held->kinetic_energy, before, 1e-12);
+  EXPECT_NEAR(std::sqrt(status.bodies[0].held->momentum_squared), momentum(led), 1e-12);
+  EXPECT_FALSE(status.bodies[1].held);
   touch(Kind::let_go);
   EXPECT_EQ(state(), SpinDrag::State::let_go);
   EXPECT_TRUE(session->clock().paused()) << "until it is ready";
@@ -78,6 +86,7 @@ TEST_F(Drag, omegaIsLedOverTheEnergyEllipsoidAndStartsThere) {
   EXPECT_LT((bodyNamed("wing").motion().setup().omega_body - led).norm(), 1e-14);
   EXPECT_FALSE(session->clock().paused());
   EXPECT_FALSE(session->preview());
+  EXPECT_FALSE(session->status().bodies[0].held);
   EXPECT_EQ(heard.previews_ended, 0) << "other bodies are drawn now: bodiesChanged says so";
 }
 

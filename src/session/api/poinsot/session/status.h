@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/core/invariants.h"
 #include "poinsot/session/request.h"
 #include "poinsot/view/flips.h"
 #include "poinsot/view/polhode.h"
@@ -27,6 +28,7 @@ struct BodyStatus {
   std::vector<std::string> methods;  ///< that can move it
   /** Of the body as it is drawn: while it is held, of the motion that would begin there. Nothing under torques. */
   std::optional<FreeMotion> free;
+  std::optional<Invariants> held;  ///< while its spin is dragged: of the motion that would begin there
 };
 
 /** What a session is doing. */
