@@ -72,6 +72,11 @@ void Audit::add(const visualization_msgs::MarkerArray& message, const std::strin
   }
 }
 
+void Audit::add(const SceneLayout& message) {
+  if (!with_pictures_) with_pictures_.emplace();
+  with_pictures_->insert(message.pictures.begin(), message.pictures.end());
+}
+
 std::map<std::string, Body> Audit::bodies() const {
   std::map<std::string, Body> bodies = states_;
   // Returns the body of that key, or else the only one whose name matches; or nullptr.
@@ -156,7 +161,12 @@ Report Audit::report() const {
     judgeState(evidence, report.checks);
     judgeMotion(evidence, report.checks);
     judgeConservation(evidence, report.checks);
-    if (options_.markers) judgeMarkers(evidence, report.checks);
+    if (!options_.markers) continue;
+    if (!with_pictures_ || with_pictures_->count(body.name) > 0) {
+      judgeMarkers(evidence, report.checks);
+    } else {
+      judgeNoPictures(body, report.checks);
+    }
   }
   return report;
 }

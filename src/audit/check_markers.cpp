@@ -380,6 +380,18 @@ bool omegaMoves(const std::vector<Segment>& segments) {
 
 }  // namespace
 
+void judgeNoPictures(const Body& body, std::vector<Check>& checks) {
+  Judge judge("no pictures", body.key);
+  judge.ifNothing("no marker of this body");
+  for (const Drawing& d : body.drawings) {
+    const bool is_picture =
+        d.name_space.find("/space/") != std::string::npos || d.name_space.find("/model/") != std::string::npos;
+    judge.compare(is_picture ? 1 : 0, 0, seconds(d.stamp),
+                  [&] { return d.name_space + " is drawn of a body that has no pictures by the layout"; });
+  }
+  checks.push_back(judge.verdict());
+}
+
 void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks) {
   const Body& body = evidence.body;
   const bool free = body.isFree();

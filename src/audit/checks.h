@@ -41,6 +41,9 @@ void judgeConservation(const Evidence& evidence, std::vector<Check>& checks);
 /** The markers of Poinsot's construction. */
 void judgeMarkers(const Evidence& evidence, std::vector<Check>& checks);
 
+/** Judges that nothing but the body itself is drawn of it. */
+void judgeNoPictures(const Body& body, std::vector<Check>& checks);
+
 // For bodies under torques only.
 
 /** From message to message: what the torques add to L and E, and the slug's equation. */

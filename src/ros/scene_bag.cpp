@@ -99,13 +99,17 @@ void SceneBag::writeStatic() {
                descriptionMessage(entry.body, entry.frames.body, entry.picture->frame()));
   }
   putLatched("/tf_static", transforms);
+  if (markers_) writeLayout();
+  writeStaticMarkers();
+  static_markers_repeated_ = false;
+}
+
+void SceneBag::writeLayout() {
   std::vector<std::string> with_pictures;
   for (const Entry& entry : entries_) {
     if (entry.picture->hasPictures()) with_pictures.push_back(entry.body.name());
   }
   putLatched(kLayoutTopic, layoutMessage(layout_, with_pictures, {}));
-  writeStaticMarkers();
-  static_markers_repeated_ = false;
 }
 
 // Written twice, for what RViz needs of the node too: see SceneTopics::resendStatic.

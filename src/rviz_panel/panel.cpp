@@ -95,7 +95,7 @@ QWidget* Panel::makePage() {
 QWidget* Panel::makeControls() {
   controls_ = new QWidget;
   controls_->setObjectName("controls");
-  auto* const tour = new TourBox(link_, [this](const QString& view) { lookFrom(view); });
+  auto* const tour = new TourBox(link_, [this](const QString& view) { views_->chooseNamed(view); });
   auto* const scene = new SceneChoice(link_, tour->button());
   auto* const buttons = new PlayButtons(link_);
   auto* const speed = new SpeedControl(link_);
@@ -153,16 +153,6 @@ void Panel::takeTypedNode() {
   link_->setNode(node_->text());
   showText(node_, link_->givenNode());
   if (link_->givenNode() != before) Q_EMIT configChanged();
-}
-
-void Panel::lookFrom(const QString& view) {
-  rviz::ViewManager* const views = vis_manager_->getViewManager();
-  for (int i = 0; i < views->getNumViews(); ++i) {
-    if (views->getViewAt(i)->getName() == view) {
-      views_->take(i);
-      return;
-    }
-  }
 }
 
 void Panel::clear() {

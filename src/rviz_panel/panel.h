@@ -48,7 +48,6 @@ class Panel : public rviz::Panel {
   void offer(const QStringList& bodies);
   void takeTypedNode();
   /** Looks from the saved view of that name, if there is one. */
-  void lookFrom(const QString& view);
   void refresh();
   /** Forgets what the body did. */
   void clear();

@@ -31,6 +31,8 @@ void read(const std::string& file, Audit& audit) {
       audit.add(*odometry, topic);
     } else if (const auto markers = m.instantiate<visualization_msgs::MarkerArray>()) {
       audit.add(*markers, topic);
+    } else if (const auto layout = m.instantiate<poinsot::SceneLayout>()) {
+      audit.add(*layout);
     } else if (const auto tf = m.instantiate<tf2_msgs::TFMessage>()) {
       audit.add(*tf, topic == "/tf_static" || topic == "tf_static");
     }

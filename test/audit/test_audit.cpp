@@ -98,6 +98,34 @@ TEST(Correct, AtRest) {
   expectPass(Stream(setup, anyBody(setup.tensor(), kTilted, Vector3d::Zero()), steadily(30)).judged());
 }
 
+/** The body alone: without the markers of its pictures, and with a layout that has pictures of these bodies. */
+Report judgedAlone(Stream stream, const std::vector<std::string>& pictures, bool keeps_one = false) {
+  for (visualization_msgs::MarkerArray& markers : stream.markers) markers.markers.clear();
+  std::vector<visualization_msgs::Marker>& still = stream.markers_static.markers;
+  const visualization_msgs::Marker one = still.front();
+  still.clear();
+  if (keeps_one) still.push_back(one);
+  visualization_msgs::Marker shape;
+  shape.ns = stream.setup.body + "/shape";
+  shape.header.frame_id = stream.setup.body;
+  still.push_back(shape);
+  audit::Audit audit;
+  SceneLayout layout;
+  layout.pictures = pictures;
+  audit.add(layout);
+  stream.feed(audit);
+  return audit.report();
+}
+
+TEST(Correct, ABodyWithoutPictures) {
+  expectPass(judgedAlone(asymmetric(steadily(60)), {"another"}));
+}
+
+TEST(Wrong, PicturesThatTheLayoutHasNot) {
+  expectFailures(judgedAlone(asymmetric(steadily(60)), {"another"}, true), {"no pictures"}, "has no pictures");
+  EXPECT_FALSE(judgedAlone(asymmetric(steadily(60)), {"wingnut"}).passed()) << "pictures that it promises are missed";
+}
+
 TEST(Correct, Translation) {
   BodySetup setup;
   setup.effects = {"translation: position [0, 0, 0], velocity [1, -2, 5], acceleration [0, 0, -9.81]"};

@@ -28,8 +28,9 @@ BODY = "wingnut"
 TOPICS = {"/wingnut/state": "poinsot/BodyState", "/wingnut/odometry": "nav_msgs/Odometry",
           "/wingnut/description": "poinsot/BodyDescription", "/markers": "visualization_msgs/MarkerArray",
           "/markers_static": "visualization_msgs/MarkerArray", "/tf": "tf2_msgs/TFMessage",
-          "/tf_static": "tf2_msgs/TFMessage", "/diagnostics": "diagnostic_msgs/DiagnosticArray"}
-LATCHED = {"/wingnut/description", "/markers_static", "/tf_static"}
+          "/tf_static": "tf2_msgs/TFMessage", "/poinsot/layout": "poinsot/SceneLayout",
+          "/diagnostics": "diagnostic_msgs/DiagnosticArray"}
+LATCHED = {"/wingnut/description", "/markers_static", "/tf_static", "/poinsot/layout"}
 
 
 def free_port():

@@ -45,7 +45,7 @@ class SimulateTest(unittest.TestCase):
     def test_topics_types_and_counts(self):
         expected = {topic: kind for topic, kind in TOPICS.items() if topic != "/diagnostics"}
         counts = {topic: TICKS for topic in expected}
-        counts.update({"/wingnut/description": 1, "/tf_static": 1, "/markers_static": 2})
+        counts.update({"/wingnut/description": 1, "/tf_static": 1, "/poinsot/layout": 1, "/markers_static": 2})
         with rosbag.Bag(self.bag) as bag:
             topics = bag.get_type_and_topic_info().topics
             self.assertEqual({topic: info.msg_type for topic, info in topics.items()}, expected)
@@ -130,7 +130,7 @@ class SimulateTest(unittest.TestCase):
         self.assertEqual(self.simulate("dzhanibekov", "--bag", path, "--no-markers")[0], 0)
         with rosbag.Bag(path) as bag:
             self.assertEqual(set(bag.get_type_and_topic_info().topics),
-                             set(TOPICS) - {"/diagnostics", "/markers", "/markers_static"})
+                             set(TOPICS) - {"/diagnostics", "/markers", "/markers_static", "/poinsot/layout"})
         code, text = self.check_bag(path, "--without", "markers")
         self.assertEqual(code, 0, text)
         self.assertEqual(self.check_bag(path)[0], 1, "missing markers are noticed")

@@ -80,7 +80,7 @@ void appendSpin(const Subject& subject, const Now& now, Canvas& canvas) {
   // The arrow ends on the surface, where its own ellipsoids hide it: a bead shows where, and a stub leads on to its
   // name.
   const Eigen::Vector3d outwards = tip.normalized();
-  Marker end = factory.marker(factory.ns(names::kSpace, names::kOmega), 1, Marker::SPHERE, space,
+  Marker end = factory.marker(factory.ns(kOmegaEnd), kOmegaEnd, Marker::SPHERE, space,
                               Eigen::Vector3d::Constant(kBeadDiameter), palette::kOmega);
   end.pose.position = toPoint(tip);
   canvas.put(end);

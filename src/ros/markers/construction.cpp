@@ -132,7 +132,7 @@ class TorquedConstruction : public Part {
         canvas.remove(subject.factory.ns(picture.name, what), 0);
       }
     }
-    for (const LabelId id : {kOmegaPointer, kOmegaSymbol, kModelOmegaSymbol}) {
+    for (const LabelId id : {kOmegaPointer, kOmegaSymbol, kOmegaEnd, kModelOmegaSymbol}) {
       canvas.remove(subject.factory.ns(id), id, id + 1);
     }
     curves_.reset();

@@ -7,7 +7,7 @@ namespace poinsot::node {
 using visualization_msgs::Marker;
 
 std::string MarkerFactory::ns(LabelId id) const {
-  const bool of_an_arrow = id == kMomentumSymbol || id == kOmegaPointer || id == kOmegaSymbol;
+  const bool of_an_arrow = id == kMomentumSymbol || id == kOmegaPointer || id == kOmegaSymbol || id == kOmegaEnd;
   return of_an_arrow ? ns(names::kSpace, names::kLabel) : ns(names::kLabel);
 }
 

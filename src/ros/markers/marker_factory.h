@@ -30,9 +30,10 @@ enum LabelId {
   kTurn,
   kEnergyName,
   kMomentumName,
-  kOrbitTitle
+  kOrbitTitle,
+  kOmegaEnd
 };
-constexpr int kLabelIds = kOrbitTitle + 1;
+constexpr int kLabelIds = kOmegaEnd + 1;
 constexpr int kTrailIds = 65;  ///< in <body>/trail: the newest stretch, and 64 pieces of a path under torques
 constexpr int kCurveIds = 4;   ///< of a polhode and of a separatrix: their branches
 

@@ -59,8 +59,7 @@ std::map<std::string, int> markerSpaces(const std::string& body) {
     for (const char* what : whats) out[markers(body, picture, what)] = ids;
   };
   for (const char* picture : {kSpace, kModel}) {
-    add(picture, 1, {kEnergyEllipsoid, kMomentumEllipsoid, kAxes});
-    add(picture, 2, {kOmega});
+    add(picture, 1, {kEnergyEllipsoid, kMomentumEllipsoid, kAxes, kOmega});
     add(picture, kCurveIds, {kPolhode, kSeparatrix});
   }
   add(kSpace, 1, {kAngularMomentum, kHerpolhode, kInvariablePlane, kMontgomery});

@@ -3,10 +3,13 @@
 #include <nav_msgs/Odometry.h>
 #include <poinsot/BodyDescription.h>
 #include <poinsot/BodyState.h>
+#include <poinsot/SceneLayout.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -48,6 +51,8 @@ class Audit {
   void add(const nav_msgs::Odometry& message, const std::string& topic);
   void add(const tf2_msgs::TFMessage& message, bool is_static);
   void add(const visualization_msgs::MarkerArray& message, const std::string& topic);
+  /** A layout says which bodies have pictures: of others, none are expected. */
+  void add(const SceneLayout& message);
 
   /** Returns whether neither a state nor a description has been received. */
   bool empty() const { return states_.empty() && descriptions_.empty(); }
@@ -66,6 +71,7 @@ class Audit {
   std::map<std::string, std::vector<Description>> descriptions_;
   std::map<std::string, Track<Odometry>> odometry_;
   std::map<std::string, std::vector<Drawing>> drawings_;  ///< by the topic's namespace
+  std::optional<std::set<std::string>> with_pictures_;  ///< names of bodies, as layouts say
   Transforms transforms_;
   std::unordered_set<std::size_t> heard_;  ///< digests of the messages that must not be judged twice
 };

@@ -59,6 +59,7 @@ class SceneBag {
   void putLatched(const std::string& topic, const Message& message);
 
   void writeStatic();
+  void writeLayout();
   void writeStaticMarkers();
   void writeMoving(const session::Tick& tick);
   void clearLeftovers(bool& cleared, visualization_msgs::MarkerArray& markers) const;
