@@ -45,7 +45,6 @@ expect "film.sh: picture of no kind" 2 "--picture: expected webp, gif or none, g
 expect "film.sh: view that does not exist" 2 '--view: expected one of Overview, Riding, Along L, got Behind' \
   "$film" phone --view Behind --out "$work/films"
 expect "film.sh: directory that cannot be written" 2 'cannot write into /proc/films' "$film" phone --out /proc/films
-expect "make_views.py: directory that is none" 2 'expected a directory, got /nowhere' "$root/scripts/make_views.py" /nowhere
 expect "make_meshes.py: directory that is none" 2 'expected a directory, got /nowhere' "$root/scripts/make_meshes.py" /nowhere
 expect "film.sh films two seconds" 0 "$work/films/phone.gif: " \
   "$film" phone --seconds 2 --fps 5 --size 640x360 --picture gif --picture-width 320 --out "$work/films"

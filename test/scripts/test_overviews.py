@@ -2,7 +2,7 @@
 """Judges the overview of every scene from what `simulate --bag` records, as a viewer's camera would show it: how much of
 the frame the subjects fill, how large the smallest letters are, and whether letters overlap.
 
-Usage: test_pictures.py [SCENE ...]    (default: all of scenes/)
+Usage: test_overviews.py PROGRAMS [SCENE ...]    (PROGRAMS: the directory of simulate; default: all of scenes/)
 
 The frame is 800 x 450 pixels. Times: 0, 3, 10 and 30 s. Exit: 0; 1 when a scene falls short; 2 for bad use.
 """
@@ -22,7 +22,6 @@ sys.path.insert(0, os.path.join(HERE, ".."))
 from checks import check, finish  # noqa: E402
 
 ROOT = os.path.realpath(os.path.join(HERE, "..", ".."))
-SIMULATE = os.path.join(os.environ.get("POINSOT_BUILD", os.path.join(ROOT, "build")), "devel", "lib", "poinsot", "simulate")
 WIDTH, HEIGHT = 800, 450
 TIMES = (0, 3, 10, 30)
 LEAST_LETTERS = 11       # pixels
@@ -147,10 +146,10 @@ class Picture:
         return (seen.max(axis=0) - seen.min(axis=0)) / (WIDTH, HEIGHT) if len(seen) else np.zeros(2)
 
 
-def pictures(path, folder):
+def pictures(simulate, path, folder):
     """The scene at each time; where it plays in rounds, at that time of its round."""
     bag = os.path.join(folder, "scene.bag")
-    subprocess.run([SIMULATE, path, "--bag", bag, "--duration", str(max(TIMES)), "--rate", "10"], check=True,
+    subprocess.run([simulate, path, "--bag", bag, "--duration", str(max(TIMES)), "--rate", "10"], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     picture = Picture()
     with rosbag.Bag(bag) as recording:
@@ -193,7 +192,10 @@ def complaints(picture, larger=1.0):
 
 
 def main():
-    names = sys.argv[1:]
+    if len(sys.argv) < 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    simulate, names = os.path.join(sys.argv[1], "simulate"), sys.argv[2:]
     paths = sorted(glob.glob(os.path.join(ROOT, "scenes", "*.yaml")))
     if names:
         paths = [os.path.join(ROOT, "scenes", name + ".yaml") for name in names]
@@ -203,7 +205,7 @@ def main():
         for path in paths:
             name = os.path.splitext(os.path.basename(path))[0]
             wrong, filled = [], []
-            for t, picture in pictures(path, folder):
+            for t, picture in pictures(simulate, path, folder):
                 wrong += ["t = %g s: %s" % (t, text) for text in complaints(picture)]
                 filled.append(picture.filled(Camera(picture.layout)).max())
                 noticed["larger"] = noticed["larger"] or any("overlap" in c for c in complaints(picture, 4))
