@@ -238,7 +238,8 @@ void NodeLink::setEye(const std::array<double, 3>& eye) {
 }
 
 void NodeLink::setLightBackground(bool light) {
-  if (outbox_.told_light_background == light || !connection_ || connection_->background.getNumSubscribers() == 0) return;
+  if (outbox_.told_light_background == light || !connection_ || connection_->background.getNumSubscribers() == 0)
+    return;
   outbox_.told_light_background = light;
   std_msgs::Bool message;
   message.data = light;

@@ -22,7 +22,7 @@ using namespace poinsot;
 
 constexpr int kNo = 1;
 constexpr double kGoodAccuracy = 1e-3, kGoodHorizon = 120;  // rad, s: what makes a stepper good
-constexpr double kLeastForSteps = 1.1;      // a budget leaves for steps at least a tenth of what the states cost
+constexpr double kLeastForSteps = 1.1;  // a budget leaves for steps at least a tenth of what the states cost
 // From one body to the next, in radii of the body: the pictures stand beside the four, and below the three of a row.
 constexpr double kAcross = 7, kUp = 4.6, kAcrossRow = 3.4;
 const char *const kEqualCost = "equal_cost", *const kEqualStep = "equal_step", *const kLesson = "lesson";
@@ -153,7 +153,8 @@ void print(const Options& options) {
   const cost::MethodCosts& costs = cost::nominalCosts();
   const std::vector<Entry> entries = options.mode == kLesson ? row(options.step.value_or(kLessonDefault))
                                                              : four(options, scene.bodies[index], rate, costs);
-  const std::string text = sceneOf(entries, options.mode, tree["bodies"][index], radiusOf(scene.bodies[index]), rate, costs);
+  const std::string text =
+      sceneOf(entries, options.mode, tree["bodies"][index], radiusOf(scene.bodies[index]), rate, costs);
   scene::readTree(YAML::Load(text), "the scene to compare");  // refuses a step that the node would refuse
   std::cout << text;
   tools::flushStandardOutput();

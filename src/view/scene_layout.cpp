@@ -26,7 +26,7 @@ constexpr double kSmallestLetters = 0.17;  // the height of the smallest letters
 constexpr double kApart = 4;               // where pictures stand apart, in widths of the overview
 constexpr double kApartSpacing = 4;
 
-constexpr double kUsualAspect = 1.7;         // of a full screen, or a little less
+constexpr double kUsualAspect = 1.7;             // of a full screen, or a little less
 constexpr double kReadable = 12.6 / 450;         // of the height of the overview, for the smallest letters
 constexpr double kSmallest = 0.3, kLargest = 3;  // letters, relative to those for one body
 constexpr double kTogetherIsWorse = 1.15;   // pictures away from their bodies, by how much farther they may be seen

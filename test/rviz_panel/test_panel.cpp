@@ -406,8 +406,8 @@ TEST_F(Panel, theSceneChangesWhilePlaying) {
     if (body["effects"]) farthest = std::max(farthest, std::abs(body["effects"][0]["position"][1].as<double>()));
   }
   const auto half_width = [&] {
-    return manager->getViewManager()->getCurrent()->subProp("Distance")->getValue().toDouble() *
-           std::tan(M_PI / 8) * picture->width() / picture->height();
+    return manager->getViewManager()->getCurrent()->subProp("Distance")->getValue().toDouble() * std::tan(M_PI / 8) *
+           picture->width() / picture->height();
   };
   EXPECT_TRUE(until([&] { return half_width() > farthest + 0.9 && half_width() < 2 * (farthest + 0.9); }))
       << half_width() << " m, with bodies up to " << farthest << " m from the middle";

@@ -123,8 +123,9 @@ TEST(Scene, BodiesAreANonEmptyListOfMaps) {
 TEST(Scene, UnknownKeysAreRefusedWithTheKnownOnes) {
   expectRefused("speed: 1\n" + named({"a"}), 1, "speed",
                 {"got \"speed\"$", "expected one of the keys rate, loop, bodies, drawings, got"});
-  expectRefused("body: 1\n" + named({"a"}), 1, "body",
-                {"got \"body\" (did you mean \"bodies\"?)$", "expected one of the keys rate, loop, bodies, drawings, got"});
+  expectRefused(
+      "body: 1\n" + named({"a"}), 1, "body",
+      {"got \"body\" (did you mean \"bodies\"?)$", "expected one of the keys rate, loop, bodies, drawings, got"});
   expectRefused(named({"a"}) + "Rate: 60\n", 5, "Rate",
                 {" (did you mean \"rate\"?)$", "expected one of the keys rate, loop, bodies, drawings, got"});
   const std::string expected =

@@ -13,8 +13,8 @@
 namespace poinsot::node::parts {
 namespace {
 
-constexpr double kHiddenShare = 0.4;  // of the longest arrow: shorter ones end unseen inside the body
-constexpr double kBesidePivot = 0.7;  // of the body's reach
+constexpr double kHiddenShare = 0.4;     // of the longest arrow: shorter ones end unseen inside the body
+constexpr double kBesidePivot = 0.7;     // of the body's reach
 constexpr double kMostBeyond = 1.2;      // times the length of the largest torque that was expected
 constexpr double kPivotDiameter = 0.13;  // times the reach of the body
 constexpr double kRodDiameter = 0.05;

@@ -71,7 +71,7 @@ class Audit {
   std::map<std::string, std::vector<Description>> descriptions_;
   std::map<std::string, Track<Odometry>> odometry_;
   std::map<std::string, std::vector<Drawing>> drawings_;  ///< by the topic's namespace
-  std::optional<std::set<std::string>> with_pictures_;  ///< names of bodies, as layouts say
+  std::optional<std::set<std::string>> with_pictures_;    ///< names of bodies, as layouts say
   Transforms transforms_;
   std::unordered_set<std::size_t> heard_;  ///< digests of the messages that must not be judged twice
 };
