@@ -82,7 +82,7 @@ def main():
     rospy.init_node("film", anonymous=True, disable_signals=True)
     service("pause", SetBool)(True)
     step, steps = service("step", Trigger), int(sys.argv[6])
-    frame_takes = steps / rospy.get_param("/poinsot/rate")  # s
+    frame_takes = steps / float(rospy.get_param("/poinsot/rate"))  # s
 
     def go_on():
         for _ in range(steps):

@@ -56,9 +56,10 @@ positive --speed "$speed"
 [[ $picture_width =~ ^[1-9][0-9]{1,3}$ ]] || bad_use "film.sh: --picture-width: expected a number of pixels, got '$picture_width'"
 case "$picture" in webp | gif | none) ;; *) bad_use "film.sh: --picture: expected webp, gif or none, got '$picture'" ;; esac
 case "$scene" in
-  */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) config=$root/rviz/demo.rviz ;;
-  *) file=$root/scenes/$scene.yaml name=$scene config=$root/rviz/demo.rviz ;;
+  */* | *.yaml) file=$(realpath -m -- "$scene") name=$(basename "$scene" .yaml) ;;
+  *) file=$root/scenes/$scene.yaml name=$scene ;;
 esac
+config=$root/rviz/demo.rviz
 [ -f "$file" ] || bad_use "film.sh: expected a scene file or one of $(scene_names | paste -sd' '), got '$scene'"
 out=$(realpath -m -- "$out")
 { mkdir -p "$out" && [ -w "$out" ]; } 2> /dev/null || bad_use "film.sh: --out: cannot write into $out"
@@ -90,8 +91,8 @@ start_core "$work/core.log"
 # In a fast film, a frame is several steps of the node, so that trails and paths are as fine as in real time.
 steps=$(awk "BEGIN {n = 30 * $speed / $fps; printf \"%d\", n == int(n) ? n : n + 1}")
 [ "$steps" -ge 1 ] || steps=1
-rosparam set /poinsot/rate "$(awk "BEGIN {printf \"%.9g\", $steps * $fps / $speed}")"
-roslaunch poinsot demo.launch scene_file:="$file" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
+rate=$(awk "BEGIN {printf \"%.9g\", $steps * $fps / $speed}")
+roslaunch poinsot demo.launch scene_file:="$file" rate:="$rate" rviz_config:="$work/view.rviz" rviz_args:=--fullscreen >> "$log" 2>&1 &
 launch_pid=$!
 failed() { tail -n 20 "$log" >&2; fail "film.sh: $1; the output of the nodes is in $log"; }
 up=0

@@ -1,5 +1,6 @@
 #include "poinsot/ros/layout_message.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "poinsot/ros/conversions.h"
@@ -8,33 +9,39 @@
 namespace poinsot::node {
 namespace {
 
-bool isWithin(const view::SceneLayout& layout, const view::Ball& body) {
-  Eigen::Vector3d low = body.centre, high = body.centre;
-  for (const view::Ball& ball : layout.overview) {
-    low = low.cwiseMin(ball.centre - Eigen::Vector3d::Constant(ball.radius));
-    high = high.cwiseMax(ball.centre + Eigen::Vector3d::Constant(ball.radius));
-  }
-  return (body.centre.array() >= low.array() - body.radius).all() &&
-         (body.centre.array() <= high.array() + body.radius).all();
+Eigen::AlignedBox3d boxOf(const view::Ball& ball) {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ball.radius);
+  return {Eigen::Vector3d(ball.centre - reach), Eigen::Vector3d(ball.centre + reach)};
 }
 
 }  // namespace
 
-bool hasFlownAway(const view::SceneLayout& layout, const std::vector<view::Ball>& bodies) {
-  return std::any_of(bodies.begin(), bodies.end(), [&](const view::Ball& body) { return !isWithin(layout, body); });
+bool hasFlownAway(const view::SceneLayout& layout, const std::vector<LaidOut>& bodies) {
+  Eigen::AlignedBox3d overview;
+  for (const view::Ball& ball : layout.overview) overview.extend(boxOf(ball));
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [&](const LaidOut& body) { return !overview.intersects(boxOf(body.now)); });
 }
 
-SceneLayout layoutMessage(const view::SceneLayout& layout, const std::vector<std::string>& pictures,
-                          const std::vector<view::Ball>& bodies) {
+SceneLayout layoutMessage(const view::SceneLayout& layout, const std::vector<LaidOut>& bodies) {
   SceneLayout out;
   out.header.frame_id = names::kWorld;
   out.picture_radius = layout.unit;
   out.pitch = layout.pitch;
-  for (const view::Ball& ball : hasFlownAway(layout, bodies) ? bodies : layout.overview) {
+  std::vector<view::Ball> balls = layout.overview;
+  if (hasFlownAway(layout, bodies)) {
+    balls.clear();
+    for (const LaidOut& body : bodies) balls.push_back(body.now);
+  }
+  for (const view::Ball& ball : balls) {
     out.centres.push_back(toPoint(ball.centre));
     out.radii.push_back(ball.radius);
   }
-  out.pictures = pictures;
+  for (const LaidOut& body : bodies) {
+    out.bodies.push_back(body.name);
+    out.frames.push_back(body.frame);
+    if (body.has_pictures) out.pictures.push_back(body.name);
+  }
   return out;
 }
 

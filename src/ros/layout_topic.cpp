@@ -14,9 +14,14 @@ namespace {
 
 const ros::WallDuration kPause(0.1);
 
-std::vector<view::Ball> ballsOf(const session::Session& session) {
-  std::vector<view::Ball> out;
-  for (const auto& body : session.bodies()) out.push_back({body->state().position, topicsOf(*body).picture().reach()});
+std::vector<LaidOut> bodiesOf(const session::Session& session) {
+  std::vector<LaidOut> out;
+  for (const auto& body : session.bodies()) {
+    BodyTopics& topics = topicsOf(*body);
+    const BodyPicture& picture = topics.picture();
+    out.push_back(
+        {body->name(), topics.frames().body, picture.hasPictures(), {body->state().position, picture.reach()}});
+  }
   return out;
 }
 
@@ -35,7 +40,7 @@ void LayoutTopic::layOut(const session::Session& session) {
   facts.loop = session.scene().loop;
   facts.light_background = light_background_;
   layout_ = layOutScene(pictures, facts);
-  node::appendDrawings(session.scene().drawings, layout_);
+  extendOverview(session.scene().drawings, layout_);
 }
 
 void LayoutTopic::appendDrawings(const session::Session& session, visualization_msgs::MarkerArray& out) const {
@@ -43,21 +48,17 @@ void LayoutTopic::appendDrawings(const session::Session& session, visualization_
 }
 
 void LayoutTopic::publish(const session::Session& session) {
-  std::vector<std::string> with_pictures;
-  for (const auto& body : session.bodies()) {
-    if (topicsOf(*body).picture().hasPictures()) with_pictures.push_back(body->name());
-  }
-  const std::vector<view::Ball> balls = ballsOf(session);
-  away_ = hasFlownAway(layout_, balls);
+  const std::vector<LaidOut> bodies = bodiesOf(session);
+  away_ = hasFlownAway(layout_, bodies);
   sent_ = ros::SteadyTime::now();
-  publisher_.publish(layoutMessage(layout_, with_pictures, balls));
+  publisher_.publish(layoutMessage(layout_, bodies));
 }
 
 void LayoutTopic::follow(const session::Session& session) {
   const bool may_fly = std::any_of(session.bodies().begin(), session.bodies().end(),
                                    [](const auto& body) { return !body->state().velocity.isZero(0); });
   if ((!may_fly && !away_) || ros::SteadyTime::now() - sent_ < kPause) return;
-  if (away_ || hasFlownAway(layout_, ballsOf(session))) publish(session);
+  if (away_ || hasFlownAway(layout_, bodiesOf(session))) publish(session);
 }
 
 }  // namespace poinsot::node

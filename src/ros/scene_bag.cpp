@@ -52,7 +52,7 @@ SceneBag::SceneBag(const std::string& file, const scene::Scene& scene, const Opt
   facts.loop = scene.loop;
   layout_ = layOutScene(pictures, facts);
   drawings_ = scene.drawings;
-  appendDrawings(drawings_, layout_);
+  extendOverview(drawings_, layout_);
 }
 
 SceneBag::Entry::Entry(const scene::Body& scene_body, BodyPicture::Detail detail)
@@ -105,11 +105,13 @@ void SceneBag::writeStatic() {
 }
 
 void SceneBag::writeLayout() {
-  std::vector<std::string> with_pictures;
+  std::vector<LaidOut> bodies;
   for (const Entry& entry : entries_) {
-    if (entry.picture->hasPictures()) with_pictures.push_back(entry.body.name());
+    const BodyPicture& picture = *entry.picture;
+    bodies.push_back(
+        {entry.body.name(), entry.frames.body, picture.hasPictures(), {entry.body.state().position, picture.reach()}});
   }
-  putLatched(kLayoutTopic, layoutMessage(layout_, with_pictures, {}));
+  putLatched(kLayoutTopic, layoutMessage(layout_, bodies));
 }
 
 // Written twice, for what RViz needs of the node too: see SceneTopics::resendStatic.

@@ -15,7 +15,12 @@ void HiddenParts::load(const rviz::Config& panel) {
 
 void HiddenParts::set(const rviz::Config& hidden, const rviz::DisplayGroup& displays, const QString& view) {
   bringBack(displays, view);
-  hidden_ = hidden;
+  rviz::Config merged;
+  merged.copy(hidden);
+  for (rviz::Config::MapIterator it = hidden_.mapIterator(); it.isValid(); it.advance()) {
+    if (!hidden.mapGetChild(it.currentKey()).isValid()) merged.mapMakeChild(it.currentKey()).copy(it.currentChild());
+  }
+  hidden_ = merged;
   remember(displays, view);
   hide(displays, view);
 }

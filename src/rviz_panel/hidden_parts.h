@@ -23,7 +23,7 @@ namespace poinsot::rviz_panel {
 class HiddenParts {
  public:
   void load(const rviz::Config& panel);
-  /** Takes another list of what views leave out; the present view leaves that out at once. */
+  /** Takes another list of what the views that it names leave out; the present view leaves that out at once. */
   void set(const rviz::Config& hidden, const rviz::DisplayGroup& displays, const QString& view);
   /** @param view the present one */
   void save(rviz::Config panel, const QString& view) const;

@@ -37,7 +37,6 @@ void MomentumCamera::save(rviz::Config panel) const {
 }
 
 void MomentumCamera::follow(const QString& view, const QString& body) {
-  bodies_ = rviz::Config();
   bodies_.mapSetValue(view, body);
 }
 

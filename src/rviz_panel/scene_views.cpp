@@ -1,5 +1,6 @@
 #include "scene_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -44,11 +45,11 @@ rviz::Config orbit(const char* name, const std::string& frame, double distance, 
   return out;
 }
 
-/** Appends the namespaces of a body's markers, but those of the picture in world axes where it is the one shown. */
+/** Appends the namespaces of a body's markers, but those of the picture in world axes where that is shown. */
 void appendNamespaces(const std::string& body, bool is_shown, rviz::Config list) {
   const auto append = [&](const std::string& ns) { list.listAppendNew().setValue(QString::fromStdString(ns)); };
   for (const char* what : {names::kShape, names::kTrail, names::kLabel, names::kTorque, names::kGravity, names::kAxes,
-                           names::kPath, names::kGhosts}) {
+                           names::kPath, names::kGhosts, names::kOrbit}) {
     append(names::markers(body, what));
   }
   for (const char* picture : {names::kModel, names::kSpace}) {
@@ -63,6 +64,17 @@ void appendNamespaces(const std::string& body, bool is_shown, rviz::Config list)
 }
 
 }  // namespace
+
+bool isUsable(const SceneLayout& layout) {
+  const auto finite = [](const geometry_msgs::Point& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  return layout.centres.size() == layout.radii.size() && layout.bodies.size() == layout.frames.size() &&
+         std::all_of(layout.centres.begin(), layout.centres.end(), finite) &&
+         std::all_of(layout.radii.begin(), layout.radii.end(),
+                     [](double radius) { return radius >= 0 && std::isfinite(radius); }) &&
+         layout.picture_radius > 0 && std::isfinite(layout.picture_radius) && std::abs(layout.pitch) < M_PI_2;
+}
 
 rviz::Config overviewOf(const SceneLayout& layout, double aspect) {
   std::vector<view::Ball> balls;
@@ -101,7 +113,8 @@ rviz::Config hiddenFor(const SceneLayout& layout, const std::string& body) {
     rviz::Config hidden = out.mapMakeChild(view);
     for (const char* display : {"Still", "Motion"}) {
       rviz::Config list = hidden.mapMakeChild(display);
-      for (const std::string& other : layout.pictures) appendNamespaces(other, other == body, list);
+      for (const std::string& other : layout.bodies) appendNamespaces(other, other == body, list);
+      for (const char* drawing : {names::kDrawnLine, names::kDrawnText}) list.listAppendNew().setValue(drawing);
     }
     for (const char* display : displays) hidden.mapSetValue(display, true);
   }

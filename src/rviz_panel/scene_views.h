@@ -13,6 +13,9 @@ inline constexpr const char* kOverview = "Overview";
 inline constexpr const char* kRiding = "Riding";
 inline constexpr const char* kAlongL = "Along L";
 
+/** Whether a layout can be shown: all of it finite, a length for each ball, and pictures that have a size. */
+bool isUsable(const SceneLayout& layout);
+
 /** Shows all that the layout names, in a picture whose width is `aspect` times its height. */
 rviz::Config overviewOf(const SceneLayout& layout, double aspect);
 

@@ -14,7 +14,7 @@ struct Card {
   QString title;
   QString says;
   QString scene;     ///< its name
-  QString view;      ///< a saved view of the scene's .rviz file
+  QString view;      ///< a saved view of rviz/demo.rviz
   double time = 0;   ///< where it begins [s]
   double speed = 1;  ///< of play; negative backwards
   bool paused = false;

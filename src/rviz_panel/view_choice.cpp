@@ -113,6 +113,8 @@ void ViewChoice::markChosen() {
   for (int i = 0; i < buttons_->count(); ++i) {
     if (auto* const button = qobject_cast<QPushButton*>(buttons_->itemAt(i)->widget())) {
       button->setChecked(button->text() == chosen_);
+      const bool is_of_picture = button->text() == scene_views::kRiding || button->text() == scene_views::kAlongL;
+      button->setEnabled(!is_of_picture || !layout_ || hasPicture());
     }
   }
 }
@@ -135,15 +137,17 @@ void ViewChoice::save(rviz::Config panel) const {
 }
 
 void ViewChoice::showLayout(const SceneLayout& layout) {
+  if (!scene_views::isUsable(layout)) return;
   const bool is_first = !layout_;
-  const bool fits_other_bodies = !layout_ || layout_->pictures != layout.pictures;
+  const bool fits_other_bodies = !layout_ || layout_->bodies != layout.bodies || layout_->pictures != layout.pictures;
   layout_ = layout;
   if (is_first && isAsSaved()) set_ = textOf(*manager_->getViewManager()->getCurrent());
   if (fits_other_bodies) {
     // A panel that is hidden follows no body: then it is the first.
-    const auto& bodies = layout.pictures;
+    const auto& bodies = layout.bodies;
     if (!bodies.empty() && std::find(bodies.begin(), bodies.end(), body_) == bodies.end()) {
-      body_ = frame_ = bodies.front();
+      body_ = bodies.front();
+      frame_ = layout.frames.front();
       camera_.follow(scene_views::kAlongL, QString::fromStdString(body_));
     }
     hidden_.set(scene_views::hiddenFor(layout, body_), *manager_->getRootDisplayGroup(), chosen_);
@@ -170,6 +174,10 @@ bool ViewChoice::isAsSaved() const {
   return false;
 }
 
+bool ViewChoice::hasPicture() const {
+  return layout_ && std::find(layout_->pictures.begin(), layout_->pictures.end(), body_) != layout_->pictures.end();
+}
+
 bool ViewChoice::isUntouched() const {
   const rviz::ViewController* const camera = manager_->getViewManager()->getCurrent();
   return camera && textOf(*camera) == set_;
@@ -182,12 +190,12 @@ void ViewChoice::fit() {
   const bool modified = window && window->isWindowModified();
   settleProperties();
   fitView(scene_views::overviewOf(*layout_, aspect_));
-  const auto& with_pictures = layout_->pictures;
-  if (std::find(with_pictures.begin(), with_pictures.end(), body_) != with_pictures.end()) {
+  if (hasPicture()) {
     fitView(scene_views::ridingOf(*layout_, frame_));
     fitView(scene_views::alongOf(*layout_, frame_));
   }
   fitFloor();
+  markChosen();
   if (window) window->setWindowModified(modified);
 }
 

@@ -15,6 +15,7 @@
 
 #include "hidden_parts.h"
 #include "momentum_camera.h"
+#include "scene_views.h"
 
 namespace rviz {
 class ViewController;
@@ -44,7 +45,7 @@ class ViewChoice : public QWidget {
   /** Chooses a view by its name; nothing where there is none of that name. */
   void chooseNamed(const QString& view);
   /** Another scene plays: back to the overview. */
-  void sceneChanged() { chooseNamed("Overview"); }
+  void sceneChanged() { chooseNamed(scene_views::kOverview); }
 
   /** Shows a button for each view that RViz has saved, and fits the views where the window has another size. */
   void refresh();
@@ -58,6 +59,8 @@ class ViewChoice : public QWidget {
   void fit();
   void fitView(const rviz::Config& view);
   void fitFloor();
+  /** Whether the body that the panel follows has a picture in world axes. */
+  bool hasPicture() const;
   /** Whether RViz's camera is that of the chosen view as it was saved. */
   bool isAsSaved() const;
   /** Whether RViz's camera is as this class has set it. */

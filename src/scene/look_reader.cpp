@@ -1,5 +1,6 @@
 #include "look_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -54,6 +55,11 @@ constexpr std::size_t kMostPoints = 10000, kMostWords = 80;
 
 }  // namespace
 
+std::size_t lettersOf(const std::string& words) {
+  return static_cast<std::size_t>(
+      std::count_if(words.begin(), words.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 Eigen::Vector3d readColour(const Place& place) {
   const Eigen::Vector3d out = readVector(place, {Quantity::Range::not_negative, ""});
   if (out.maxCoeff() > 1) place.refuse("3 numbers from 0 to 1: red, green, blue", "[" + listed(out) + "]");
@@ -80,7 +86,7 @@ Drawing readDrawing(const Place& place) {
     const Place words = fields.require("text", expected);
     if (!words.node().IsScalar()) words.refuse(expected, words.found());
     out.words = words.node().Scalar();
-    if (out.words.empty() || out.words.size() > kMostWords || out.words.find('\n') != std::string::npos) {
+    if (out.words.empty() || lettersOf(out.words) > kMostWords || out.words.find('\n') != std::string::npos) {
       words.refuse(expected, words.found());
     }
   }

@@ -18,6 +18,7 @@ namespace poinsot::scene {
 namespace {
 
 const char* const kWorldFrame = "world";
+constexpr double kShortestLoop = 0.1;  // s: several ticks
 constexpr double kFarthestSeen = 1e5;  // m: floats lie 8 mm apart there
 
 /** Which body has which frame. */
@@ -81,7 +82,12 @@ Scene readScene(const Place& top, const ReadOptions& options) {
 
   Scene scene;
   if (const auto rate = fields.find("rate")) scene.rate = readNumber(*rate, quantity::kRate);
-  if (const auto loop = fields.find("loop")) scene.loop = readNumber(*loop, quantity::kDuration);
+  if (const auto loop = fields.find("loop")) {
+    scene.loop = readNumber(*loop, quantity::kDuration);
+    if (*scene.loop < kShortestLoop) {
+      loop->refuse("at least " + numberText(kShortestLoop) + " s", numberText(*scene.loop) + " s");
+    }
+  }
 
   const char* const expected = "a list of at least one body";
   const Place bodies = fields.require("bodies", expected);

@@ -32,7 +32,8 @@ void Session::beginNextRound(Nanoseconds stamp) {
   if (!loop || clock_.paused()) return;
   const double next = clock_.nextTime(stamp);
   if (clock_.speed() > 0 && next >= *loop) clock_.jumpTo(0);
-  if (clock_.speed() < 0 && next < 0) clock_.jumpTo(*loop);
+  // Steppers may take long to get to the end.
+  if (clock_.speed() < 0 && next < 0 && !seek_ && seek(*loop).refusal) clock_.pause(true);
 }
 
 std::optional<Tick> Session::tick(Nanoseconds stamp) {

@@ -114,6 +114,7 @@ class Cell {
     Box out = wordsBox(centre - Eigen::Vector3d(0, 0, title_depth), which == Which::body ? kPictureLines : 0);
     out.y0 = std::min(out.y0, centre.y() - reach.left);
     out.y1 = std::max(out.y1, centre.y() + reach.right);
+    out.z0 = std::min(out.z0, centre.z() - reach.down);
     out.z1 = centre.z() + reach.up;
     return out;
   }
@@ -178,7 +179,7 @@ class Cell {
 
 using Cells = std::vector<Cell>;
 
-/** One way to set the pictures. Throws nothing; `clear` is false where something meets. */
+/** One way to set the pictures; `clear` is false where something meets. */
 struct Trial {
   std::vector<BodyPlace> places;
   bool clear = true;
@@ -385,6 +386,16 @@ double unitOf(const std::vector<BodyExtent>& bodies) {
   return unit > 0 && std::isfinite(unit) ? unit : 1;
 }
 
+/** Returns how many columns a table of so many bodies may have; of many bodies, one number that makes it nearly square.
+ */
+std::vector<std::size_t> columnsToTry(std::size_t bodies) {
+  std::vector<std::size_t> out;
+  if (bodies > kMostCompared) return {static_cast<std::size_t>(std::sqrt(static_cast<double>(bodies)))};
+  for (std::size_t columns = 1; columns < bodies; columns *= 2) out.push_back(columns);
+  if (bodies > 0) out.push_back(bodies);
+  return out;
+}
+
 /** Returns the best layout with letters of that size. */
 SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double text, double pitch) {
   Cells cells;
@@ -396,11 +407,10 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
   const Arranger arranger(cells, unit);
   std::vector<Trial> trials = {arranger.beside(), arranger.below(), arranger.stacked()};
 
-  for (std::size_t columns = 1; columns <= with_pictures; columns *= 2) {
+  for (const std::size_t columns : columnsToTry(with_pictures)) {
     trials.push_back(arranger.together(true, columns));
     trials.push_back(arranger.together(false, columns));
   }
-  if (with_pictures > 0) trials.push_back(arranger.together(false, with_pictures));
 
   SceneLayout out;
   double least = std::numeric_limits<double>::infinity();
@@ -408,7 +418,7 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
     std::vector<Ball> balls = arranger.ballsOf(trial);
     const double distance = cameraThatShows(balls, pitch, 0, kUsualAspect).distance *
                             (trial.together ? kTogetherIsWorse : 1) * (trial.clear ? 1 : kMeetingIsWorse);
-    if (!(distance < least)) continue;
+    if (!(distance < least) && !out.bodies.empty()) continue;
     least = distance;
     out.bodies = std::move(trial.places);
     out.overview = std::move(balls);
@@ -424,7 +434,7 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
 SceneLayout sceneLayoutOf(const std::vector<BodyExtent>& bodies) {
   const double unit = unitOf(bodies), pitch = bodies.size() == 1 ? kPitch : kFlatPitch;
   SceneLayout out = withText(bodies, unit, 1, pitch);
-  for (int i = 0; i < kTextTrials; ++i) {
+  for (int i = 0; i < (bodies.size() > kMostCompared ? 1 : kTextTrials); ++i) {
     const double height = 2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
     out =
         withText(bodies, unit, std::clamp(kReadable * height / (kSmallestLetters * unit), kSmallest, kLargest), pitch);

@@ -82,9 +82,9 @@ class LateSubscriberTest(unittest.TestCase):
             return {name for name, nodes in topics if NODE in nodes}
         expected = {"/%s/%s" % (body, what) for body in BODIES for what in ("state", "odometry", "description")}
         expected |= {"/markers", "/markers_static", "/tf", "/tf_static", "/diagnostics", "/rosout"}
-        expected |= {NODE + "/" + what for what in ("status", "grip/update", "grip/update_full")}
+        expected |= {NODE + "/" + what for what in ("status", "layout", "grip/update", "grip/update_full")}
         self.assertEqual(of_node(publishers), expected)
-        self.assertEqual(of_node(subscribers), {NODE + "/" + what for what in ("speed", "seek", "viewpoint", "grip/feedback")})
+        self.assertEqual(of_node(subscribers), {NODE + "/" + what for what in ("speed", "seek", "viewpoint", "light_background", "grip/feedback")})
         self.assertEqual(of_node(services),
                          {NODE + "/" + what for what in ("pause", "step", "reset", "load_scene", "set_method", "set_spin",
                                                          "get_loggers", "set_logger_level")})
@@ -109,8 +109,8 @@ class LateSubscriberTest(unittest.TestCase):
             self.assertEqual(m.lifetime, rospy.Duration(0), m.ns)
         for m in markers:
             body, what = m.ns.split("/", 1)
-            frame = {"shape": body, "space/angular_momentum": body + "_space"}.get(what)
-            if what.rsplit("/", 1)[-1] in PICTURE_STATIC:
+            frame = {"shape": body, "axes": body, "space/angular_momentum": body + "_space"}.get(what)
+            if "/" in what and what.rsplit("/", 1)[-1] in PICTURE_STATIC:
                 frame = body + ("_space_body" if what.startswith("space") else "_model")
                 self.assertTrue(m.frame_locked, m.ns)
             if frame:

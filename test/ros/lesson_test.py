@@ -45,7 +45,7 @@ class LessonTest(unittest.TestCase):
         self.assertTrue(all(d.principal_moments == descriptions[0].principal_moments for d in descriptions))
         places = [self.states[n].last().position for n in NAMES]
         self.assertTrue(all(p.z == places[0].z and p.x == places[0].x for p in places))
-        self.assertTrue(places[0].y + 7 < places[1].y and places[1].y + 7 < places[2].y, "from left to right")
+        self.assertTrue(places[0].y + 2 < places[1].y and places[1].y + 2 < places[2].y, "from left to right")
 
     def test_algorithm_1_gains_energy_up_to_twice_what_it_had(self):
         found = self.energies("lie_euler")

@@ -332,8 +332,32 @@ poinsot::SceneLayout layoutOfTwo() {
     out.centres.back().y = y;
     out.radii.push_back(0.5);
   }
-  out.pictures = {"wing", "wing2"};
+  out.bodies = out.frames = out.pictures = {"wing", "wing2"};
   return out;
+}
+
+TEST(SceneViews, aLayoutThatCannotBeShownIsNoticed) {
+  EXPECT_TRUE(scene_views::isUsable(layoutOfTwo()));
+  for (const double bad : {kNaN, kInfinity, -1.0}) {
+    poinsot::SceneLayout layout = layoutOfTwo();
+    layout.radii[1] = bad;
+    EXPECT_FALSE(scene_views::isUsable(layout)) << bad;
+    layout = layoutOfTwo();
+    layout.picture_radius = bad;
+    EXPECT_FALSE(scene_views::isUsable(layout)) << bad;
+  }
+  poinsot::SceneLayout layout = layoutOfTwo();
+  layout.centres[0].z = kNaN;
+  EXPECT_FALSE(scene_views::isUsable(layout));
+  layout = layoutOfTwo();
+  layout.radii.pop_back();
+  EXPECT_FALSE(scene_views::isUsable(layout));
+  layout = layoutOfTwo();
+  layout.frames.clear();
+  EXPECT_FALSE(scene_views::isUsable(layout));
+  layout = layoutOfTwo();
+  layout.pitch = 2;
+  EXPECT_FALSE(scene_views::isUsable(layout));
 }
 
 TEST(SceneViews, theOverviewShowsTheLayout) {
@@ -363,7 +387,8 @@ TEST(SceneViews, ridingLeavesOutAllButThePictureInWorldAxes) {
     for (int i = 0; i < list.listLength(); ++i) names.insert(list.listChildAt(i).getValue().toString().toStdString());
   }
   EXPECT_EQ(names.count("wing/space/omega"), 0);
-  for (const char* other : {"wing/shape", "wing/model/omega", "wing2/space/omega", "wing2/label", "wing/label"}) {
+  for (const char* other :
+       {"wing/shape", "wing/model/omega", "wing2/space/omega", "wing2/label", "wing/label", "wing/orbit", "/line"}) {
     EXPECT_EQ(names.count(other), 1) << other;
   }
   EXPECT_TRUE(hidden.mapGetChild("Floor").isValid());

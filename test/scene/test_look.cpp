@@ -62,6 +62,7 @@ TEST(Look, aSceneMayPlayInRounds) {
   EXPECT_EQ(*read("loop: 15.1\n" + kBodies).loop, 15.1);
   EXPECT_FALSE(read(kBodies).loop);
   expectRefused("loop: 0\n" + kBodies, 1, "loop", {"a positive finite number (s)"});
+  expectRefused("loop: 0.01\n" + kBodies, 1, "loop", {"expected at least 0.1 s, got 0.01 s$"});
 }
 
 TEST(Look, drawingsAreLinesAndWords) {

@@ -50,6 +50,22 @@ double leastGap(const std::vector<BodyExtent>& bodies, const SceneLayout& layout
   return least / layout.unit;
 }
 
+/** The least distance from the tip of an L to what is drawn of another body, in radii of a picture. */
+double leastGapOfTips(const std::vector<BodyExtent>& bodies, const SceneLayout& layout) {
+  const auto discs = discsOf(bodies, layout);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].momentum) continue;
+    const Ball tip{layout.bodies[i].space_centre + 1.45 * layout.unit * *bodies[i].momentum, 0};
+    for (std::size_t j = 0; j < discs.size(); ++j) {
+      for (const Ball& disc : discs[j]) {
+        if (i != j) least = std::min(least, distanceSeen(tip, disc));
+      }
+    }
+  }
+  return least / layout.unit;
+}
+
 TEST(SceneLayout, oneBodyHasItsPicturesToItsRight) {
   const SceneLayout layout = sceneLayoutOf({bodyAt({0, 0, 0}, 0.7)});
   const BodyPlace& place = layout.bodies.front();
@@ -84,12 +100,15 @@ TEST(SceneLayout, noPictureMeetsAnything) {
       const Eigen::Vector3d place(unit(engine), 4 * unit(engine), 4 * unit(engine));
       bodies.push_back(bodyAt(size * place, size * (0.05 + std::abs(unit(engine)))));
       bodies.back().shows_world = engine() % 2 == 0;
+      bodies.back().momentum = Eigen::Vector3d(unit(engine), unit(engine), unit(engine)).normalized();
       if (engine() % 3 == 0) bodies.back().momentum = std::nullopt;
       for (int step = 1; engine() % 4 == 0 && step < 8; ++step) {
         bodies.back().body.push_back({size * (place + 0.3 * step * Eigen::Vector3d::UnitZ()), bodies.back().radius});
       }
     }
-    EXPECT_GT(leastGap(bodies, sceneLayoutOf(bodies)), 0.1) << "scene " << i;
+    const SceneLayout layout = sceneLayoutOf(bodies);
+    EXPECT_GT(leastGap(bodies, layout), 0.1) << "scene " << i;
+    EXPECT_GT(leastGapOfTips(bodies, layout), 0.1) << "an arrow of L, scene " << i;
   }
 }
 
@@ -135,10 +154,18 @@ TEST(SceneLayout, whatStandsApartIsNotSeen) {
   }
 }
 
-TEST(SceneLayout, manyBodiesAreLaidOutSoon) {
+TEST(SceneLayout, aThousandBodiesHaveTheirPicturesTogether) {
   std::vector<BodyExtent> bodies;
   for (int i = 0; i < 1000; ++i) bodies.push_back(bodyAt({0, 3.0 * (i % 40), 3.0 * (i / 40)}, 1));
-  EXPECT_EQ(sceneLayoutOf(bodies).bodies.size(), 1000);
+  const SceneLayout layout = sceneLayoutOf(bodies);
+  ASSERT_EQ(layout.bodies.size(), 1000u);
+  EXPECT_GT(leastGap(bodies, layout), 0.1);
+}
+
+TEST(SceneLayout, isThereForAnyScene) {
+  EXPECT_EQ(sceneLayoutOf({bodyAt({0, 1e9, 0}, 1), bodyAt({0, -1e9, 0}, 1e-9)}).bodies.size(), 2u);
+  EXPECT_EQ(sceneLayoutOf({bodyAt({0, 0, 0}, 0)}).bodies.size(), 1u);
+  EXPECT_TRUE(sceneLayoutOf({}).bodies.empty());
 }
 
 }  // namespace

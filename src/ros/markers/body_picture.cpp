@@ -43,9 +43,10 @@ void add(Parts& list, void (*append)(Arguments...)) {
 
 /** E and MΩ are constant, and so are the ellipsoids and curves. At rest there are none. */
 void addFree(const Subject& subject, const Motion& motion, Parts& list) {
-  if (subject.start.omega_body.isZero(0)) return;
+  if (subject.flies()) add(list, appendFlight);
+  if (!subject.hasPictures()) return;
   for (const Still still : {appendPictureTitles, appendEllipsoidNames, appendConstruction, appendPolhodeFamily,
-                            appendRolling, appendCones, appendFlight}) {
+                            appendRolling, appendCones}) {
     add(list, still);
   }
   add(list, appendSpin);
@@ -89,6 +90,7 @@ Parts partsOf(const Subject& subject, const Motion& motion) {
 
 /** Sets how the pictures are turned, and how large what they show is drawn. */
 void layOut(Subject& subject, const Motion& motion, BodyPicture::Detail detail) {
+  if (subject.weight) subject.swept = sweptOnPivot(subject, motion);
   view::PictureFrame& out = subject.frame;
   if (motion.torques() && detail == BodyPicture::Detail::pictures) {
     out.bounds = view::pictureBoundsOf(motion);
@@ -120,7 +122,7 @@ const view::PictureFrame& BodyPicture::frame() const {
 }
 
 bool BodyPicture::hasPictures() const {
-  return subject_->wanted != scene::Pictures::none;
+  return subject_->hasPictures();
 }
 
 void BodyPicture::setUnits(Canvas& canvas) const {

@@ -1,5 +1,7 @@
 #include "poinsot/ros/markers/drawings.h"
 
+#include <Eigen/Geometry>
+
 #include "poinsot/ros/conversions.h"
 #include "poinsot/ros/markers/palette.h"
 #include "poinsot/ros/names.h"
@@ -46,15 +48,15 @@ void appendDrawings(const std::vector<scene::Drawing>& drawings, const view::Sce
   }
 }
 
-void appendDrawings(const std::vector<scene::Drawing>& drawings, view::SceneLayout& layout) {
+void extendOverview(const std::vector<scene::Drawing>& drawings, view::SceneLayout& layout) {
   const double height = kLetters * layout.unit * layout.text;
   for (const scene::Drawing& drawing : drawings) {
-    const double half = kHalfLetter * height * static_cast<double>(drawing.words.size());
-    for (const Eigen::Vector3d& point : drawing.points) {
-      for (const double side : {-1.0, 1.0}) {
-        layout.overview.push_back({point + Eigen::Vector3d(0, side * half, 0), 0.6 * height});
-      }
-    }
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : drawing.points) box.extend(point);
+    const auto letters = static_cast<double>(scene::lettersOf(drawing.words));
+    const Eigen::Vector3d half(0, kHalfLetter * height * letters, 0);
+    layout.overview.push_back({box.min() - half, 0.6 * height});
+    layout.overview.push_back({box.max() + half, 0.6 * height});
   }
 }
 

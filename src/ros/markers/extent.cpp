@@ -16,7 +16,8 @@ constexpr double kOrbitArrow = 1.5;
 constexpr double kFineness = 0.6;     // of the pictures of a body on a pivot, which has the frame for itself
 constexpr double kPivotReach = 0.32;  // of the pivot, likewise
 constexpr double kMostSteps = 1e4;
-constexpr std::size_t kMany = 3;  // bodies: with so many, one picture each is enough
+constexpr double kFarthestDrawn = 1e9;  // m: no viewer shows anything so far away
+constexpr std::size_t kMany = 3;        // bodies: with so many, one picture each is enough
 constexpr int kLinesOfFree = 5, kLinesUnderTorque = 3;
 
 void appendFlown(const Subject& subject, double radius, const std::optional<double>& loop,
@@ -66,7 +67,7 @@ std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion) {
 
 view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
   view::BodyExtent out;
-  out.radius = (subject.weight ? kFineness : 1) * subject.reach;
+  out.radius = std::min((subject.weight ? kFineness : 1) * subject.reach, kFarthestDrawn);
   if (subject.weight) {
     out.body = {{subject.start.position, kPivotReach * subject.reach}};
     const std::vector<view::Ball>& swept = subject.swept;
@@ -75,11 +76,13 @@ view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
     const double arrows = subject.orbit ? kOrbitArrow : subject.is_pushed ? kArrows : 1;
     out.body = {{subject.start.position, arrows * subject.reach}};
   }
-  if (subject.translation && !subject.translation->velocity.isZero(0)) {
-    appendFlown(subject, subject.reach, scene.loop, out.body);
+  if (subject.flies()) appendFlown(subject, subject.reach, scene.loop, out.body);
+  for (view::Ball& ball : out.body) {
+    ball.centre = ball.centre.cwiseMax(-kFarthestDrawn).cwiseMin(kFarthestDrawn);
+    ball.radius = std::min(ball.radius, kFarthestDrawn);
   }
   const scene::Pictures pictures = picturesThatSuit(subject, scene.bodies);
-  const bool has_pictures = !subject.start.omega_body.isZero(0) || !subject.closed_form;  // at rest there are none
+  const bool has_pictures = subject.hasPictures();
   out.has_words = pictures != scene::Pictures::none;
   out.shows_world = has_pictures && (pictures == scene::Pictures::both || pictures == scene::Pictures::world);
   out.shows_body = has_pictures && (pictures == scene::Pictures::both || pictures == scene::Pictures::body);

@@ -6,7 +6,7 @@
  */
 namespace poinsot::node::layout {
 
-// The viewer, as the views of rviz/ have him.
+// The viewer, as the overview of one body has him.
 constexpr double kViewerDistance = 7;  // about
 constexpr double kLooksDown = 0.31;    // by so much for each unit
 constexpr double kLooksAside = 0.37;   // likewise, at the picture in body axes, as he looks straight at the other
@@ -18,12 +18,9 @@ constexpr double kFiguresHeight = 0.19;
 constexpr double kFlipsHeight = 0.17;
 constexpr double kTurnHeight = 0.17;
 
-// Titles stand below the centres of body and pictures, all at the same depth: below the ellipsoids, the body, the
-// arrows of its effects, and the name of Ω wherever that may come.
+// Titles of pictures stand below their centres: below the ellipsoids, and the name of Ω wherever that may come.
 constexpr double kTitleDepth = 1.4;                                          // at least
-constexpr double kBelowShape = 0.3;                                          // of a sphere that holds the body
 constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.2;  // from middle to middle
-constexpr double kDeepestTitle = 1.9;  // below arrows: deeper, the picture would become small
 
 // Middles of texts below the title, of which there is one at a time below a centre. A text that is lower by its depth
 // for the viewer stands nearer to him by so much, and lower by this share of it: one who looks from above sees it

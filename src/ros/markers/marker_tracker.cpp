@@ -38,7 +38,7 @@ void multiply(Vector& vector, double factor) {
 
 constexpr int kParts = 16;  // of a shape; those of a node that has ended and drew more stay where they are
 constexpr int kEffectIds = 5;
-constexpr int kMostGhosts = 40;
+constexpr int kMostGhosts = 9 * kParts;
 constexpr std::size_t kMostCleared = 100;  // bodies
 
 }  // namespace

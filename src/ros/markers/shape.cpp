@@ -154,7 +154,7 @@ void appendBodyAxes(const Subject& subject, Canvas& canvas) {
 
 void appendFlight(const Subject& subject, Canvas& canvas) {
   const std::optional<double>& loop = subject.frame.loop;
-  if (!loop || !subject.translation || !subject.closed_form) return;
+  if (!loop) return;
   Marker path = subject.factory.marker(subject.factory.ns(names::kPath), 0, Marker::LINE_STRIP, names::kWorld,
                                        {layout::kPathWidth, 0, 0}, palette::kFlight);
   for (int i = 0; i <= kFlightPieces; ++i) {

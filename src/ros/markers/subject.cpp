@@ -72,7 +72,6 @@ Subject::Subject(const scene::Body& body, const Motion& motion, const names::Fra
       reach(shape_position.norm() + shape_radius),
       frame() {
   frame.scale = view::pictureScale(inertia.moments(), omega_principal);
-  if (weight) swept = sweptOnPivot(*this, motion);
 }
 
 Eigen::Vector3d Subject::belowTitle(const Eigen::Vector3d& centre, double title_depth, double depth) const {

@@ -29,6 +29,12 @@ struct Subject {
   std::array<Picture, 2> pictures() const {
     return {Picture{names::kSpace, factory.frames().space_body}, Picture{names::kModel, factory.frames().model}};
   }
+  /** Whether there are pictures of Poinsot's construction: not of a free body at rest. */
+  bool hasPictures() const { return wanted != scene::Pictures::none && (!start.omega_body.isZero(0) || !closed_form); }
+  /** Whether it moves through the world. */
+  bool flies() const {
+    return translation && !(translation->velocity.isZero(0) && translation->acceleration.isZero(0));
+  }
   double radii() const { return frame.scale.metres_per_radian_per_second; }  ///< of the picture, per rad/s
   double unit() const { return frame.unit; }                                 ///< radius of the picture [m]
   /**

@@ -4,19 +4,24 @@
 #include <vector>
 
 #include "poinsot/SceneLayout.h"
-#include "poinsot/session/moving_body.h"
 #include "poinsot/view/scene_layout.h"
 
 namespace poinsot::node {
 
-/** Whether one of the bodies is outside of what an overview shows. */
-bool hasFlownAway(const view::SceneLayout& layout, const std::vector<view::Ball>& bodies);
+/** A body, for the message about the layout. */
+struct LaidOut {
+  std::string name, frame;
+  bool has_pictures;
+  view::Ball now;  ///< what holds it now
+};
+
+/** Returns whether one of the bodies is outside of what an overview shows. */
+bool hasFlownAway(const view::SceneLayout& layout, const std::vector<LaidOut>& bodies);
 
 /**
- * Returns the message for a layout. @param pictures names of the bodies that have pictures. @param bodies as they are
- * now: where one has flown out of the layout, the message is about the bodies alone, so that a camera follows them.
+ * Returns the message for a layout. Where a body has flown out of it, the balls are those of the bodies alone, so that
+ * a camera follows them.
  */
-SceneLayout layoutMessage(const view::SceneLayout& layout, const std::vector<std::string>& pictures,
-                          const std::vector<view::Ball>& bodies);
+SceneLayout layoutMessage(const view::SceneLayout& layout, const std::vector<LaidOut>& bodies);
 
 }  // namespace poinsot::node

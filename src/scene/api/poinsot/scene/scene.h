@@ -77,4 +77,7 @@ struct Scene {
 
 constexpr double kDefaultRate = 60;  // Hz
 
+/** Returns how many letters the words have: of several bytes in UTF-8, one begins a letter. */
+std::size_t lettersOf(const std::string& words);
+
 }  // namespace poinsot::scene

@@ -51,8 +51,9 @@ struct SceneLayout {
 
 /**
  * Returns a layout for a viewer at +x, in which no picture meets a body, or another picture: to the right of its body,
- * or below it, where all of them have room there; else all pictures together, to the right of the bodies or below
- * them. Of these, it is the one that a camera with a usual aspect sees from nearest.
+ * or below it, where all of them have room there; else, and in scenes of more than 300 bodies, all pictures together,
+ * to the right of the bodies or below them. Of these, it is the one that a camera with a usual aspect sees from
+ * nearest.
  *
  * Pictures are as large as the largest body. Letters grow with the scene, so that they can be read in the overview.
  */

@@ -15,6 +15,6 @@ void appendDrawings(const std::vector<scene::Drawing>& drawings, const view::Sce
                     visualization_msgs::MarkerArray& out);
 
 /** Appends what holds the drawings to what an overview is to show. */
-void appendDrawings(const std::vector<scene::Drawing>& drawings, view::SceneLayout& layout);
+void extendOverview(const std::vector<scene::Drawing>& drawings, view::SceneLayout& layout);
 
 }  // namespace poinsot::node
