@@ -31,7 +31,7 @@ Figures figuresOf(const session::Body& body) {
 
 }  // namespace
 
-SceneTopics::SceneTopics(ros::NodeHandle handle, ros::NodeHandle private_handle) : layout_(private_handle) {
+SceneTopics::SceneTopics(ros::NodeHandle handle, const ros::NodeHandle& private_handle) : layout_(private_handle) {
   // A subscriber that comes while ROS time stands still is sent the last tick: no other may come.
   tf_ =
       handle.advertise<tf2_msgs::TFMessage>(names::kTf, kTfQueue, [this](const ros::SingleSubscriberPublisher& viewer) {

@@ -276,7 +276,8 @@ class Arranger {
     }
     const std::vector<std::size_t> order = inReadingOrder();
     const double width = largest.y1 - largest.y0 + kGap * unit_, height = largest.z1 - largest.z0 + kGap * unit_;
-    const auto rows = static_cast<double>((order.size() + columns - 1) / columns);
+    const std::size_t row_count = (order.size() + columns - 1) / columns;
+    const auto rows = static_cast<double>(row_count);
     const double left =
         to_the_right ? bodies.y1 + kGap * unit_ : 0.5 * (bodies.y0 + bodies.y1 - static_cast<double>(columns) * width);
     const double top = to_the_right ? 0.5 * (bodies.z0 + bodies.z1 + rows * height) : bodies.z0 - kGap * unit_;
@@ -285,7 +286,8 @@ class Arranger {
       BodyPlace& place = out.places[order[k]];
       place.titles = PictureTitles::named;
       double y = left + static_cast<double>(k % columns) * width - largest.y0;
-      const double z = top - static_cast<double>(k / columns) * height - largest.z1;
+      const std::size_t row = k / columns;
+      const double z = top - static_cast<double>(row) * height - largest.z1;
       for (const Which which : cell.shown()) {
         const Reach reach = cell.reachOf(which);
         centreOf(place, which) = {depth, y + reach.left, z};

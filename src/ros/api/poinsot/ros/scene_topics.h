@@ -19,7 +19,7 @@ namespace poinsot::node {
 /** The topics of the whole scene: tf and markers, each in two parts, one that stands still and one that moves. */
 class SceneTopics {
  public:
-  SceneTopics(ros::NodeHandle handle, ros::NodeHandle private_handle);
+  SceneTopics(ros::NodeHandle handle, const ros::NodeHandle& private_handle);
 
   /** Publishes all that stands still, for the first time. */
   void begin(const session::Session& session, const ros::Time& stamp);
