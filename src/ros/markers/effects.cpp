@@ -56,8 +56,7 @@ class Way : public Part {
       : way_(static_cast<std::size_t>(kWayLength / kWaySpacing), kWayLength * reach, kWaySpacing * reach) {}
 
   void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
-    const Eigen::Vector3d& centre = subject.weight->centre_of_mass;
-    way_.add(now.state.position + now.state.attitude * (centre + subject.shape_radius * centre.stableNormalized()));
+    way_.add(subject.farEnd(now.state));
     Marker way = subject.factory.marker(subject.factory.ns(names::kGravity), kWay, Marker::LINE_STRIP, names::kWorld,
                                         {kWayWidth, 0, 0}, palette::kPath);
     for (std::size_t i = 0; i < way_.size(); ++i) way.points.push_back(toPoint(way_[i]));

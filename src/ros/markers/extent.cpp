@@ -47,6 +47,7 @@ std::vector<view::Ball> sweptOnPivot(const Subject& subject, Motion motion) {
   try {
     for (int i = 0; i <= kSamples; ++i) {
       const MotionState state = motion.at(horizon * i / kSamples);
+      box.extend(subject.farEnd(state));
       for (const Solid& solid : subject.shape.parts()) {
         const Eigen::AlignedBox3d corners(-0.5 * solid.size, 0.5 * solid.size);
         for (int k = 0; k < 8; ++k) {

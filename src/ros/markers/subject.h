@@ -35,6 +35,11 @@ struct Subject {
   bool flies() const {
     return translation && !(translation->velocity.isZero(0) && translation->acceleration.isZero(0));
   }
+  /** Of a body on a pivot, the end of the line from there through its centre of mass, where the shape ends [m]. */
+  Eigen::Vector3d farEnd(const MotionState& state) const {
+    const Eigen::Vector3d& centre = weight->centre_of_mass;
+    return state.position + state.attitude * (centre + shape_radius * centre.stableNormalized());
+  }
   double radii() const { return frame.scale.metres_per_radian_per_second; }  ///< of the picture, per rad/s
   double unit() const { return frame.unit; }                                 ///< radius of the picture [m]
   /**
