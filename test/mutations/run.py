@@ -66,7 +66,7 @@ MUTATIONS = [
      "set(out.fields[i++], back * constant.world);", "set(out.fields[i++], constant.world);",
      r"^FAIL +/pushed +(L = L0 \+ torque t|dL/dt = torque)"),
     ("ellipsoids scaled by radius instead of diameter", "src/ros/markers/construction.cpp",
-     "diameters = 2 * metres * semi_axes;", "diameters = metres * semi_axes;",
+     "diameters = 2 * radii * semi_axes;", "diameters = radii * semi_axes;",
      r"(radius|half)"),
 ]
 

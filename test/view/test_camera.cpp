@@ -1,6 +1,7 @@
 // The camera of the overview: it shows all, and from no farther than it must.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 #include <vector>
