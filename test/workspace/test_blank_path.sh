@@ -28,7 +28,7 @@ check "film.sh films" film
 
 # Programs, launch files (one asks compare_scene for its scene, one records), RViz on a virtual display, Python.
 tests=(test_rooms test_propagate test_compare_scene test_simulate launch_files ros_control ros_record_and_replay
-  rviz_rviz_shows__view_demo rviz_rviz_shows__view_compare)
+  rviz_rviz_shows__launch_demo rviz_rviz_shows__launch_compare)
 pattern="^($(IFS='|'; echo "${tests[*]}"))(\\.test)?\$"
 check "test.sh" "$copy/scripts/test.sh" --only "$pattern"
 all_ran() {
