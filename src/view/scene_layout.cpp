@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -32,7 +33,7 @@ constexpr double kSmallest = 0.3, kLargest = 3;  // letters, relative to those f
 constexpr double kTogetherIsWorse = 1.15;   // pictures away from their bodies, by how much farther they may be seen
 constexpr double kMeetingIsWorse = 1e6;     // taken where there is nothing else
 constexpr std::size_t kMostCompared = 300;  // bodies: with more, all pictures stand together
-constexpr int kTextTrials = 6;              // the letters change the picture, whose size decides on the letters
+constexpr int kTextRounds = 6;
 constexpr double kPitch = 0.3, kFlatPitch = 0.15;  // of one body, of several
 
 /** A rectangle across the line of sight: y to the right, z upwards. */
@@ -398,36 +399,43 @@ std::vector<std::size_t> columnsToTry(std::size_t bodies) {
   return out;
 }
 
-/** Returns the best layout with letters of that size. */
-SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double text, double pitch) {
-  Cells cells;
-  std::size_t with_pictures = 0;
-  for (const BodyExtent& body : bodies) {
-    cells.emplace_back(body, unit, text);
-    with_pictures += cells.back().shown().empty() ? 0 : 1;
-  }
-  const Arranger arranger(cells, unit);
-  std::vector<Trial> trials = {arranger.beside(), arranger.below(), arranger.stacked()};
+using Way = std::function<Trial(const Arranger&)>;
 
+/** Returns the ways to set the pictures of so many bodies. */
+std::vector<Way> waysFor(std::size_t with_pictures) {
+  std::vector<Way> out = {&Arranger::beside, &Arranger::below, &Arranger::stacked};
   for (const std::size_t columns : columnsToTry(with_pictures)) {
-    trials.push_back(arranger.together(true, columns));
-    trials.push_back(arranger.together(false, columns));
+    for (const bool to_the_right : {true, false}) {
+      out.push_back([=](const Arranger& arranger) { return arranger.together(to_the_right, columns); });
+    }
   }
+  return out;
+}
 
+/** Returns the layout of that way, with letters that can be read in it. `distance`: how far off a camera is, or worse.
+ */
+SceneLayout layoutOf(const std::vector<BodyExtent>& bodies, const Way& way, double unit, double pitch,
+                     double& distance) {
   SceneLayout out;
-  double least = std::numeric_limits<double>::infinity();
-  for (Trial& trial : trials) {
-    std::vector<Ball> balls = arranger.ballsOf(trial);
-    const double distance = cameraThatShows(balls, pitch, 0, kUsualAspect).distance *
-                            (trial.together ? kTogetherIsWorse : 1) * (trial.clear ? 1 : kMeetingIsWorse);
-    if (!(distance < least) && !out.bodies.empty()) continue;
-    least = distance;
-    out.bodies = std::move(trial.places);
-    out.overview = std::move(balls);
-  }
   out.unit = unit;
-  out.text = text;
   out.pitch = pitch;
+  // The letters change the picture, whose size decides on the letters.
+  const int rounds = bodies.size() > kMostCompared ? 2 : kTextRounds;
+  for (int i = 0; i < rounds; ++i) {
+    if (i > 0) {
+      const double height =
+          2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
+      out.text = std::clamp(kReadable * height / (kSmallestLetters * unit), kSmallest, kLargest);
+    }
+    Cells cells;
+    for (const BodyExtent& body : bodies) cells.emplace_back(body, unit, out.text);
+    const Arranger arranger(cells, unit);
+    const Trial trial = way(arranger);
+    out.bodies = trial.places;
+    out.overview = arranger.ballsOf(trial);
+    distance = cameraThatShows(out.overview, pitch, 0, kUsualAspect).distance *
+               (trial.together ? kTogetherIsWorse : 1) * (trial.clear ? 1 : kMeetingIsWorse);
+  }
   return out;
 }
 
@@ -435,11 +443,17 @@ SceneLayout withText(const std::vector<BodyExtent>& bodies, double unit, double 
 
 SceneLayout sceneLayoutOf(const std::vector<BodyExtent>& bodies) {
   const double unit = unitOf(bodies), pitch = bodies.size() == 1 ? kPitch : kFlatPitch;
-  SceneLayout out = withText(bodies, unit, 1, pitch);
-  for (int i = 0; i < (bodies.size() > kMostCompared ? 1 : kTextTrials); ++i) {
-    const double height = 2 * std::tan(0.5 * kFieldOfView) * cameraThatShows(out.overview, pitch, 0, 16.0 / 9).distance;
-    out =
-        withText(bodies, unit, std::clamp(kReadable * height / (kSmallestLetters * unit), kSmallest, kLargest), pitch);
+  const auto with_pictures = static_cast<std::size_t>(std::count_if(bodies.begin(), bodies.end(), [](const auto& body) {
+    return body.shows_world || body.shows_body || body.shows_orbit;
+  }));
+  SceneLayout out;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Way& way : waysFor(with_pictures)) {
+    double distance = 0;
+    SceneLayout layout = layoutOf(bodies, way, unit, pitch, distance);
+    if (!(distance < least) && !out.bodies.empty()) continue;
+    least = distance;
+    out = std::move(layout);
   }
   standApart(bodies, out);
   return out;
