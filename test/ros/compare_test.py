@@ -21,7 +21,7 @@ from poinsot.msg import BodyDescription, BodyState  # noqa: E402
 
 LATE = 60.0  # s, when lie_euler is far off
 FIGURES = re.compile(r"^(?P<method>\w+)(, step (?P<step>\S+) ms)?\n"
-                     r"attitude error (?P<error>\S+) rad\nE/E0 = (?P<energy>1 (?P<drift>\S+)|\S+)\ncost (?P<cost>\S+) us per s(\n.*flip.*)?$")
+                     r"error (?P<error>\S+) rad\nE/E0 = (?P<energy>1 (?P<drift>\S+)|\S+)\ncost (?P<cost>\S+) us per s(\n.*flip.*)?$")
 
 
 def scene_of(mode):

@@ -281,7 +281,7 @@ class EffectsTest(unittest.TestCase):
             for text in figures:
                 self.assertIn("energy ", text)
                 self.assertNotIn("nan", text)
-                self.assertNotIn("attitude error", text)
+                self.assertNotIn("error", text)
 
     def test_no_warning_for_bodies_without_a_closed_form(self):
         statuses = [s for a in self.diagnostics for s in a.status if "body " in s.name]

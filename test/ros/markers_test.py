@@ -108,7 +108,7 @@ class MarkersTest(unittest.TestCase):
                       if ns == "led/label" and m.header.frame_id == "world"]
             # The words on the flips of what is drawn take the place of the figures of what is not.
             self.assertTrue(labels)
-            self.assertFalse([m.text for m in labels if "attitude error" in m.text], "two labels lie on each other")
+            self.assertFalse([m.text for m in labels if "\nerror " in m.text], "two labels lie on each other")
         lead(InteractiveMarkerFeedback.MOUSE_UP)
         graph.wait_for(lambda: self.figures(viewer), what="the figures again")
         for it in (states, handles, viewer):
@@ -118,7 +118,7 @@ class MarkersTest(unittest.TestCase):
     def figures(viewer):
         """The label that says how well a body is moved, where it is drawn."""
         drawn = graph.drawn(viewer.listeners[0].all())
-        return [m for (ns, _), m in drawn.items() if ns == "led/label" and "attitude error" in m.text]
+        return [m for (ns, _), m in drawn.items() if ns == "led/label" and "\nerror " in m.text]
 
     def test_what_a_killed_node_has_drawn_goes_when_its_place_is_taken(self):
         pushed = tree("body", effects=[{"type": "constant_torque", "frame": "world", "torque": [0.05, 0, 0.3]}])

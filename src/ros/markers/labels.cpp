@@ -34,7 +34,7 @@ std::string flipsInWords(const view::Flips& flips, bool only_one) {
 /** Under torques there is nothing to compare with, and the energy is meant to change. */
 std::string comparisonInWords(const Figures& figures) {
   if (std::isnan(figures.attitude_error)) return formatted("\nenergy %.4g J", figures.kinetic_energy);
-  return formatted("\nattitude error %.1e rad", figures.attitude_error) +
+  return formatted("\nerror %.1e rad", figures.attitude_error) +
          (std::abs(figures.energy_drift) < kPlainDrift ? formatted("\nE/E0 = 1 %+.1e", figures.energy_drift)
                                                        : formatted("\nE/E0 = %.4f", 1 + figures.energy_drift));
 }

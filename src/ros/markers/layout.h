@@ -14,7 +14,7 @@ constexpr double kLooksAside = 0.37;   // likewise, at the picture in body axes,
 // Heights of letters. Names of arrows are the largest; what is long is smaller, so that it stays beside its neighbours.
 constexpr double kSymbolHeight = 0.23;
 constexpr double kTitleHeight = 0.21;
-constexpr double kFiguresHeight = 0.19;
+constexpr double kFiguresHeight = 0.17;
 constexpr double kFlipsHeight = 0.17;
 constexpr double kTurnHeight = 0.17;
 
@@ -27,7 +27,7 @@ constexpr double kBelowSymbol = 0.5 * (kSymbolHeight + kTitleHeight) + 0.2;  // 
 // apart, too.
 constexpr double kFallPerDepth = 1;
 constexpr double kFiguresDepth = 0.14;  // the upper edge of the figures, and for each line of them:
-constexpr double kFiguresDepthALine = 0.12;
+constexpr double kFiguresDepthALine = 0.108;
 constexpr double kFlipsDepth = 0.3;
 constexpr double kNamesDepth = 0.3;  // of the ellipsoids
 constexpr double kNamesHeight = 0.18;
