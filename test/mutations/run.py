@@ -137,7 +137,7 @@ class Copy(object):
                 handle.write(text)
         lines = [line.strip() for line in said.splitlines() if re.search(expected, line)]
         if passed:
-            return False, ": the audit did not notice"
+            return False, ": the audit did not notice, or the change was not compiled"
         if not lines:
             return False, ": the audit failed, but did not say /%s/:\n%s" % (expected, said[-6000:])
         return True, "\n        " + lines[0][:300]
