@@ -78,7 +78,7 @@ bool isUsable(const SceneLayout& layout) {
 
 rviz::Config overviewOf(const SceneLayout& layout, double aspect) {
   std::vector<view::Ball> balls;
-  for (std::size_t i = 0; i < layout.centres.size() && i < layout.radii.size(); ++i) {
+  for (std::size_t i = 0; i < layout.centres.size(); ++i) {
     const geometry_msgs::Point& p = layout.centres[i];
     balls.push_back({{p.x, p.y, p.z}, layout.radii[i]});
   }

@@ -83,6 +83,7 @@ QVector<Card> tourCards(const QString& text) {
 }
 
 bool Tour::canGo(int by) const {
+  if (stage_ == Stage::seeking) return false;
   const int to = placeAfter(by);
   return to >= 0 && to < size();
 }
@@ -98,11 +99,13 @@ Tour::Act Tour::go(int by) {
 
 Tour::Act Tour::onStatus(const NodeStatus& status) {
   newest_ = status;
-  if (!underWay()) return Act::nothing;
+  if (stage_ == Stage::seeking && status.segment != segment_) stage_ = Stage::there;
+  if (stage_ == Stage::there) return Act::nothing;
   if (!status.refused.empty() && status.refused != refused_) {
     fail();
     return Act::nothing;
   }
+  if (stage_ == Stage::seeking) return Act::nothing;
   // A status from before the node was asked has the segment of that time.
   if (isChanging(status) || status.segment == segment_ || status.scene != card().scene.toStdString()) {
     return Act::nothing;
@@ -116,7 +119,8 @@ Tour::Act Tour::onStatus(const NodeStatus& status) {
     const BodyStatus* const body = bodyNamed(status, card().body);
     if (!body || body->method != card().method.toStdString()) return Act::nothing;
   }
-  stage_ = Stage::there;
+  stage_ = card().time != 0 ? Stage::seeking : Stage::there;
+  segment_ = status.segment;
   shown_ = wanted_;
   return Act::arrive;
 }

@@ -49,10 +49,11 @@ class Tour {
   /** The card that is shown, from 0; -1 before the first has been reached. */
   int shown() const { return shown_; }
   const Card& shownCard() const { return cards_[shown_]; }
-  bool underWay() const { return stage_ != Stage::there; }
+  bool underWay() const { return stage_ == Stage::loading || stage_ == Stage::changing_method; }
   /** The card that the tour is on its way to, or has reached. There is one after go(). */
   const Card& card() const { return cards_[wanted_]; }
 
+  /** Not while the time of a card is sought: the jump would be taken for that of the next card's scene. */
   bool canGo(int by) const;
   /** Sets off for the card so many further on; nothing where there is none. */
   Act go(int by);
@@ -64,7 +65,7 @@ class Tour {
  private:
   int placeAfter(int by) const { return (underWay() ? wanted_ : shown_) + by; }
 
-  enum class Stage { there, loading, changing_method };
+  enum class Stage { there, loading, changing_method, seeking };
 
   QVector<Card> cards_;
   int shown_ = -1;

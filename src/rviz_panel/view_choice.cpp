@@ -81,20 +81,29 @@ void ViewChoice::refresh() {
 }
 
 void ViewChoice::take(int index) {
+  const rviz::ViewManager& views = *manager_->getViewManager();
+  if (index < views.getNumViews()) take(views.getViewAt(index));
+}
+
+void ViewChoice::chooseNamed(const QString& view) {
+  if (rviz::ViewController* const found = saved(view)) take(found);
+}
+
+void ViewChoice::take(rviz::ViewController* view) {
   rviz::ViewManager* const views = manager_->getViewManager();
-  if (index >= views->getNumViews()) return;
   settleProperties();
-  views->setCurrentFrom(views->getViewAt(index));
-  choose(views->getViewAt(index)->getName());
+  views->setCurrentFrom(view);
+  choose(view->getName());
   camera_.look();
   set_ = textOf(*views->getCurrent());
 }
 
-void ViewChoice::chooseNamed(const QString& view) {
+rviz::ViewController* ViewChoice::saved(const QString& view) const {
   const rviz::ViewManager& views = *manager_->getViewManager();
   for (int i = 0; i < views.getNumViews(); ++i) {
-    if (views.getViewAt(i)->getName() == view) return take(i);
+    if (views.getViewAt(i)->getName() == view) return views.getViewAt(i);
   }
+  return nullptr;
 }
 
 void ViewChoice::choose(const QString& view) {
@@ -167,11 +176,8 @@ void ViewChoice::showDescription(const BodyDescription& description) {
 }
 
 bool ViewChoice::isAsSaved() const {
-  const rviz::ViewManager& views = *manager_->getViewManager();
-  for (int i = 0; i < views.getNumViews(); ++i) {
-    if (views.getViewAt(i)->getName() == chosen_) return textOf(*views.getViewAt(i)) == textOf(*views.getCurrent());
-  }
-  return false;
+  const rviz::ViewController* const view = saved(chosen_);
+  return view && textOf(*view) == textOf(*manager_->getViewManager()->getCurrent());
 }
 
 bool ViewChoice::hasPicture() const {
@@ -202,11 +208,9 @@ void ViewChoice::fit() {
 void ViewChoice::fitView(const rviz::Config& view) {
   QString name;
   view.mapGetString("Name", &name);
-  rviz::ViewManager* const views = manager_->getViewManager();
-  for (int i = 0; i < views->getNumViews(); ++i) {
-    if (views->getViewAt(i)->getName() == name) views->getViewAt(i)->load(view);
-  }
+  if (rviz::ViewController* const found = saved(name)) found->load(view);
   if (name != chosen_ || !isUntouched()) return;
+  rviz::ViewManager* const views = manager_->getViewManager();
   rviz::Config present;
   present.copy(view);
   present.mapSetValue("Name", "Current View");
@@ -217,7 +221,7 @@ void ViewChoice::fitView(const rviz::Config& view) {
 
 void ViewChoice::fitFloor() {
   double lowest = 0, left = 0, right = 0;
-  for (std::size_t i = 0; i < layout_->centres.size() && i < layout_->radii.size(); ++i) {
+  for (std::size_t i = 0; i < layout_->centres.size(); ++i) {
     const geometry_msgs::Point& p = layout_->centres[i];
     const double r = layout_->radii[i];
     lowest = i == 0 ? p.z - r : std::min(lowest, p.z - r);

@@ -53,6 +53,7 @@ class ViewChoice : public QWidget {
   void take(int index);
 
  private:
+  void take(rviz::ViewController* view);
   void choose(const QString& view);
   void markChosen();
   /** Fits the saved views, and the camera that shows one of them. */
@@ -61,6 +62,8 @@ class ViewChoice : public QWidget {
   void fitFloor();
   /** Whether the body that the panel follows has a picture in world axes. */
   bool hasPicture() const;
+  /** The saved view of that name; null where there is none. */
+  rviz::ViewController* saved(const QString& view) const;
   /** Whether RViz's camera is that of the chosen view as it was saved. */
   bool isAsSaved() const;
   /** Whether RViz's camera is as this class has set it. */

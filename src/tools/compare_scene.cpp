@@ -11,6 +11,7 @@
 #include "poinsot/core/method.h"
 #include "poinsot/cost/choice.h"
 #include "poinsot/cost/method_costs.h"
+#include "poinsot/ros/scene_list.h"
 #include "poinsot/scene/message.h"
 #include "poinsot/scene/motion_setup.h"
 #include "poinsot/scene/reader.h"
@@ -146,6 +147,7 @@ std::string sceneOf(const std::vector<Entry>& entries, const std::string& mode, 
 }
 
 void print(const Options& options) {
+  node::requireKnownScene(options.scene_file);
   const YAML::Node tree = scene::readDocument(options.scene_file);
   const scene::Scene scene = scene::readTree(tree, options.scene_file);
   const std::size_t index = indexOf(scene, options.body);

@@ -1,7 +1,6 @@
 #include "poinsot/view/scene_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -62,11 +61,11 @@ struct Reach {
 
 enum class Which { world, body, orbit };
 
-Eigen::Vector3d& centreOf(BodyPlace& place, Which which) {
-  return which == Which::world ? place.space_centre : which == Which::body ? place.model_centre : place.orbit_centre;
-}
-const Eigen::Vector3d& centreOf(const BodyPlace& place, Which which) {
-  return centreOf(const_cast<BodyPlace&>(place), which);
+/** `place.*centre(which)` is where that picture stands. */
+Eigen::Vector3d BodyPlace::*centre(Which which) {
+  return which == Which::world  ? &BodyPlace::space_centre
+         : which == Which::body ? &BodyPlace::model_centre
+                                : &BodyPlace::orbit_centre;
 }
 
 /** A body with the pictures that stand beside it, its lengths in metres. */
@@ -110,13 +109,13 @@ class Cell {
     return out;
   }
 
-  Box pictureBox(Which which, const Eigen::Vector3d& centre, double title_depth) const {
+  Box pictureBox(Which which, const Eigen::Vector3d& middle, double title_depth) const {
     const Reach reach = reachOf(which);
-    Box out = wordsBox(centre - Eigen::Vector3d(0, 0, title_depth), which == Which::body ? kPictureLines : 0);
-    out.y0 = std::min(out.y0, centre.y() - reach.left);
-    out.y1 = std::max(out.y1, centre.y() + reach.right);
-    out.z0 = std::min(out.z0, centre.z() - reach.down);
-    out.z1 = centre.z() + reach.up;
+    Box out = wordsBox(middle - Eigen::Vector3d(0, 0, title_depth), which == Which::body ? kPictureLines : 0);
+    out.y0 = std::min(out.y0, middle.y() - reach.left);
+    out.y1 = std::max(out.y1, middle.y() + reach.right);
+    out.z0 = std::min(out.z0, middle.z() - reach.down);
+    out.z1 = middle.z() + reach.up;
     return out;
   }
 
@@ -141,14 +140,14 @@ class Cell {
     out.insert(out.end(), extent_.body.begin(), extent_.body.end());
     if (extent_.has_words) appendWords(place.title, extent_.lines, out);
     for (const Which which : shown_) {
-      const Eigen::Vector3d& centre = centreOf(place, which);
+      const Eigen::Vector3d& middle = place.*centre(which);
       if (which == Which::world && extent_.momentum) {
-        out.push_back({centre, kRound * unit_});
-        out.push_back({centre + (kArrowReach - 0.15) * unit_ * *extent_.momentum, 0.15 * unit_});
+        out.push_back({middle, kRound * unit_});
+        out.push_back({middle + (kArrowReach - 0.15) * unit_ * *extent_.momentum, 0.15 * unit_});
       } else {
-        out.push_back({centre, (which == Which::body ? kRound : kMovingReach) * unit_});
+        out.push_back({middle, (which == Which::body ? kRound : kMovingReach) * unit_});
       }
-      appendWords(centre - Eigen::Vector3d(0, 0, place.picture_title_depth), which == Which::body ? kPictureLines : 0,
+      appendWords(middle - Eigen::Vector3d(0, 0, place.picture_title_depth), which == Which::body ? kPictureLines : 0,
                   out);
     }
   }
@@ -180,11 +179,10 @@ class Cell {
 
 using Cells = std::vector<Cell>;
 
-/** One way to set the pictures; `clear` is false where something meets. */
+/** One way to set the pictures. */
 struct Trial {
   std::vector<BodyPlace> places;
-  bool clear = true;
-  bool together = false;
+  bool together = false;  ///< away from their bodies
 };
 
 class Arranger {
@@ -203,14 +201,8 @@ class Arranger {
         place.title = cell.titleBelow(place.picture_title_depth);
         place.picture_title_depth = cell.start().z() - place.title.z();
       }
-      double y = cell.bodyBox(place).y1 + kGap * unit_;
-      for (const Which which : cell.shown()) {
-        const Reach reach = cell.reachOf(which);
-        centreOf(place, which) = cell.start() + Eigen::Vector3d(0, y + reach.left - cell.start().y(), 0);
-        y += reach.left + reach.right;
-      }
+      setRow(cell, {cell.start().x(), cell.bodyBox(place).y1 + kGap * unit_, cell.start().z()}, place);
     }
-    out.clear = nothingMeets(out);
     return out;
   }
 
@@ -222,20 +214,19 @@ class Arranger {
       BodyPlace& place = out.places[i];
       place.picture_title_depth += kGap * unit_;  // the lower picture is seen from farther above
       const Box body = cell.bodyBox(place);
+      std::vector<Box> boxes;  // of each picture, about its middle
       double height = 0, left = 0;
       for (const Which which : cell.shown()) {
-        const Box box = cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth);
-        height += box.z1 - box.z0 + kGap * unit_;
-        left = std::max(left, -box.y0);
+        boxes.push_back(cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth));
+        height += boxes.back().z1 - boxes.back().z0 + kGap * unit_;
+        left = std::max(left, -boxes.back().y0);
       }
       double z = 0.5 * (body.z0 + body.z1 + height);
-      for (const Which which : cell.shown()) {
-        const Box box = cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth);
-        centreOf(place, which) = {cell.start().x(), body.y1 + kGap * unit_ + left, z - box.z1};
-        z -= box.z1 - box.z0 + kGap * unit_;
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        place.*centre(cell.shown()[k]) = {cell.start().x(), body.y1 + kGap * unit_ + left, z - boxes[k].z1};
+        z -= boxes[k].z1 - boxes[k].z0 + kGap * unit_;
       }
     }
-    out.clear = nothingMeets(out);
     return out;
   }
 
@@ -248,13 +239,12 @@ class Arranger {
       if (cell.shown().size() == 1) place.titles = PictureTitles::none;
       double z = cell.bodyBox(place).z0 - kGap * unit_;
       for (const Which which : cell.shown()) {
-        Eigen::Vector3d& centre = centreOf(place, which);
-        centre = cell.start();
-        centre.z() = z - cell.reachOf(which).up;
-        z = cell.pictureBox(which, centre, place.picture_title_depth).z0 - kGap * unit_;
+        Eigen::Vector3d& middle = place.*centre(which);
+        middle = cell.start();
+        middle.z() = z - cell.reachOf(which).up;
+        z = cell.pictureBox(which, middle, place.picture_title_depth).z0 - kGap * unit_;
       }
     }
-    out.clear = nothingMeets(out);
     return out;
   }
 
@@ -267,12 +257,10 @@ class Arranger {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       bodies.add(cells_[i].bodyBox(out.places[i]));
       depth += cells_[i].start().x() / static_cast<double>(cells_.size());
-      double y = 0;
-      for (const Which which : cells_[i].shown()) {  // each cell begins at y = 0
-        const Reach reach = cells_[i].reachOf(which);
-        const Eigen::Vector3d centre(0, y + reach.left, 0);
-        largest.add(cells_[i].pictureBox(which, centre, out.places[i].picture_title_depth));
-        y += reach.left + reach.right;
+      BodyPlace place = out.places[i];
+      setRow(cells_[i], Eigen::Vector3d::Zero(), place);  // each cell begins at y = 0
+      for (const Which which : cells_[i].shown()) {
+        largest.add(cells_[i].pictureBox(which, place.*centre(which), place.picture_title_depth));
       }
     }
     const std::vector<std::size_t> order = inReadingOrder();
@@ -286,14 +274,8 @@ class Arranger {
       const Cell& cell = cells_[order[k]];
       BodyPlace& place = out.places[order[k]];
       place.titles = PictureTitles::named;
-      double y = left + static_cast<double>(k % columns) * width - largest.y0;
-      const std::size_t row = k / columns;
-      const double z = top - static_cast<double>(row) * height - largest.z1;
-      for (const Which which : cell.shown()) {
-        const Reach reach = cell.reachOf(which);
-        centreOf(place, which) = {depth, y + reach.left, z};
-        y += reach.left + reach.right;
-      }
+      const auto column = static_cast<double>(k % columns), row = static_cast<double>(k / columns);
+      setRow(cell, {depth, left + column * width - largest.y0, top - row * height - largest.z1}, place);
     }
     return out;
   }
@@ -304,7 +286,46 @@ class Arranger {
     return out;
   }
 
+  /** Whether no picture and no words meet anything of another body. Bodies that meet each other cannot be helped. */
+  bool isClear(const Trial& trial) const {
+    if (cells_.size() > kMostCompared) return false;
+    std::vector<std::vector<Box>> all;  // of each body: itself, then its words and its pictures
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const Cell& cell = cells_[i];
+      const BodyPlace& place = trial.places[i];
+      all.push_back({cell.bodyAlone(), cell.bodyBox(place)});
+      for (const Which which : cell.shown()) {
+        all.back().push_back(cell.pictureBox(which, place.*centre(which), place.picture_title_depth));
+      }
+    }
+    const auto meet = [](const std::vector<Box>& one, const std::vector<Box>& other) {
+      for (std::size_t a = 0; a < one.size(); ++a) {
+        for (std::size_t b = 0; b < other.size(); ++b) {
+          // The body with its words: only the words count where the bodies meet.
+          const bool bodies_only = a + b == 0 || (a <= 1 && b <= 1 && one[0].meets(other[0]));
+          if (!bodies_only && one[a].meets(other[b])) return true;
+        }
+      }
+      return false;
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        if (meet(all[i], all[j])) return false;
+      }
+    }
+    return true;
+  }
+
  private:
+  /** Sets the pictures of a body in a row whose left end is there. */
+  static void setRow(const Cell& cell, Eigen::Vector3d left_end, BodyPlace& place) {
+    for (const Which which : cell.shown()) {
+      const Reach reach = cell.reachOf(which);
+      place.*centre(which) = left_end + Eigen::Vector3d(0, reach.left, 0);
+      left_end.y() += reach.left + reach.right;
+    }
+  }
+
   Trial empty() const {
     Trial out;
     for (const Cell& cell : cells_) {
@@ -327,36 +348,6 @@ class Arranger {
       return p.y() != q.y() ? p.y() < q.y() : p.z() > q.z();
     });
     return out;
-  }
-
-  /** Whether no picture and no words meet anything of another body. Bodies that meet each other cannot be helped. */
-  bool nothingMeets(const Trial& trial) const {
-    if (cells_.size() > kMostCompared) return false;
-    std::vector<std::vector<Box>> all;  // of each body: itself, then its words and its pictures
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const Cell& cell = cells_[i];
-      const BodyPlace& place = trial.places[i];
-      all.push_back({cell.bodyAlone(), cell.bodyBox(place)});
-      for (const Which which : cell.shown()) {
-        all.back().push_back(cell.pictureBox(which, centreOf(place, which), place.picture_title_depth));
-      }
-    }
-    const auto meet = [](const std::vector<Box>& one, const std::vector<Box>& other) {
-      for (std::size_t a = 0; a < one.size(); ++a) {
-        for (std::size_t b = 0; b < other.size(); ++b) {
-          // The body with its words: only the words count where the bodies meet.
-          const bool bodies_only = a + b == 0 || (a <= 1 && b <= 1 && one[0].meets(other[0]));
-          if (!bodies_only && one[a].meets(other[b])) return true;
-        }
-      }
-      return false;
-    };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = i + 1; j < all.size(); ++j) {
-        if (meet(all[i], all[j])) return false;
-      }
-    }
-    return true;
   }
 
   const Cells& cells_;
@@ -433,8 +424,12 @@ SceneLayout layoutOf(const std::vector<BodyExtent>& bodies, const Way& way, doub
     const Trial trial = way(arranger);
     out.bodies = trial.places;
     out.overview = arranger.ballsOf(trial);
-    distance = cameraThatShows(out.overview, pitch, 0, kUsualAspect).distance *
-               (trial.together ? kTogetherIsWorse : 1) * (trial.clear ? 1 : kMeetingIsWorse);
+    distance = cameraThatShows(out.overview, pitch, 0, kUsualAspect).distance;
+    if (trial.together) {
+      distance *= kTogetherIsWorse;
+    } else if (!arranger.isClear(trial)) {
+      distance *= kMeetingIsWorse;
+    }
   }
   return out;
 }

@@ -78,6 +78,9 @@ def main():
     simulated("regimes can be told to wait for a clock", True, "regimes.launch", "use_sim_time:=true")
     refused("demo: use_sim_time that is neither", 'expected true or false, got "perhaps"', "demo.launch", "use_sim_time:=perhaps")
 
+    refused("compare: a scene that there is not", "expected the path of a scene file or one of ", "compare.launch", "scene:=foo")
+    refused("lesson: a scene that there is not", "expected the path of a scene file or one of ", "lesson.launch", "scene:=foo")
+
     plays("replay plays once", [])
     plays("replay: an empty argument is one that is not given", [], "loop:=", "rate:=", "start:=")
     plays("replay passes on loop, rate and start", ["--loop", "--rate=0.5", "--start=10"], "loop:=true", "rate:=0.5", "start:=10")

@@ -73,7 +73,8 @@ void addTorqued(const Subject& subject, const Motion& motion, Parts& list) {
   }
   if (subject.orbit) {
     add(list, appendPlanet);
-    add(list, appendOrbit);
+    add(list, appendWayToCentre);
+    list.push_back(makeOnOrbit(subject));
   }
 }
 

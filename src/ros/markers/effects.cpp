@@ -69,6 +69,25 @@ class Way : public Part {
   view::Trail way_;  ///< world axes
 };
 
+class OnOrbit : public Part {
+ public:
+  explicit OnOrbit(const Subject& subject) : shape_(shapeOf(subject)) {}
+
+  void appendMoving(const Subject& subject, const Now& now, Canvas& canvas) override {
+    const Eigen::Vector3d radial = now.motion.torques()->gradient()->radialAt(now.state.time);
+    const Eigen::Vector3d place = subject.frame.place.orbit_centre + kOrbitRadius * subject.unit() * radial;
+    int id = kOnOrbit;
+    for (Marker& marker : copyOf(shape_, place, now.state.attitude, kOnOrbitReach * subject.unit() / subject.reach)) {
+      marker.ns = subject.factory.ns(names::kOrbit);
+      marker.id = id++;
+      canvas.put(marker);
+    }
+  }
+
+ private:
+  const std::vector<Marker> shape_;
+};
+
 }  // namespace
 
 bool isPushed(const Motion& motion) {
@@ -127,19 +146,10 @@ void appendWeight(const Subject& subject, const Now& now, Canvas& canvas) {
              Eigen::Vector3d(0, 1.4, -0.4), canvas);
 }
 
-void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas) {
+void appendWayToCentre(const Subject& subject, const Now& now, Canvas& canvas) {
   const Eigen::Vector3d to_centre = -now.motion.torques()->gradient()->radialAt(now.state.time);
   putGravity(subject, kToCentre, kOrbitSymbol, now.state.position, to_centre,
              subject.reach + layout::kOrbitBeyond * subject.unit(), "centre", to_centre, canvas);
-  const Eigen::Vector3d place =
-      subject.frame.place.orbit_centre +
-      kOrbitRadius * subject.unit() * now.motion.torques()->gradient()->radialAt(now.state.time);
-  int id = kOnOrbit;
-  for (Marker& marker : copyOf(subject, place, now.state.attitude, kOnOrbitReach * subject.unit() / subject.reach)) {
-    marker.ns = subject.factory.ns(names::kOrbit);
-    marker.id = id++;
-    canvas.put(marker);
-  }
 }
 
 void appendPlanet(const Subject& subject, Canvas& canvas) {
@@ -161,6 +171,10 @@ void appendPlanet(const Subject& subject, Canvas& canvas) {
   canvas.put(factory.text(kOrbitTitle, names::kWorld,
                           subject.belowTitle(centre, subject.frame.place.picture_title_depth, 0), "on its orbit",
                           layout::kTitleHeight));
+}
+
+std::unique_ptr<Part> makeOnOrbit(const Subject& subject) {
+  return std::make_unique<OnOrbit>(subject);
 }
 
 std::unique_ptr<Part> makeWay(const Subject& subject) {

@@ -28,12 +28,15 @@ void appendEllipsoidNames(const Subject& subject, Canvas& canvas);
 /** The ends of the body's principal axes, outside of its shape, in the colours of the axes 1, 2 and 3. */
 void appendBodyAxes(const Subject& subject, Canvas& canvas);
 
+/** Returns the body's solids or its mesh, in body axes: markers without frames and namespaces. */
+std::vector<Marker> shapeOf(const Subject& subject);
+
 /**
- * Returns the body's shape once more, in another size: markers in the world's frame, without namespaces.
+ * Returns such a shape once more, in another size, in the world's frame.
  * @param position of its origin [m]. @param attitude body axes → world.
  */
-std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& position, const Eigen::Quaterniond& attitude,
-                           double size);
+std::vector<Marker> copyOf(std::vector<Marker> shape, const Eigen::Vector3d& position,
+                           const Eigen::Quaterniond& attitude, double size);
 
 /** The path that a body flies, and the body as it is at some times on it, where the scene plays in rounds. */
 void appendFlight(const Subject& subject, Canvas& canvas);
@@ -86,10 +89,10 @@ void appendTorque(const Subject& subject, const Now& now, Canvas& canvas);
 /** The weight of a body on a pivot as an arrow from its centre of mass. */
 void appendWeight(const Subject& subject, const Now& now, Canvas& canvas);
 
-/** The way to the centre of the body's orbit; and in a picture of its own, the body on its way round the planet. */
-void appendOrbit(const Subject& subject, const Now& now, Canvas& canvas);
+/** The way to the centre of the body's orbit. */
+void appendWayToCentre(const Subject& subject, const Now& now, Canvas& canvas);
 
-/** What stands still of that picture: the planet and the orbit, neither to scale. */
+/** What stands still of the picture of the orbit: the planet and the orbit, neither to scale. */
 void appendPlanet(const Subject& subject, Canvas& canvas);
 
 // What moves, and remembers.
@@ -111,6 +114,9 @@ std::unique_ptr<Part> makePath(bool rides);
  * the body is nearly at rest.
  */
 std::unique_ptr<Part> makeTorquedConstruction();
+
+/** In the picture of the orbit, the body on its way round the planet. */
+std::unique_ptr<Part> makeOnOrbit(const Subject& subject);
 
 /**
  * The way that the far end of a heavy body's line from the pivot through its centre of mass has gone in the world,

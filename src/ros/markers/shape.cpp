@@ -67,22 +67,6 @@ std_msgs::ColorRGBA colourOf(const Subject& subject, int i) {
   return out;
 }
 
-/** The body's solids or its mesh, in body axes. */
-std::vector<Marker> shapeOf(const Subject& subject) {
-  if (subject.appearance) return {markerOf(*subject.appearance)};
-  const bool single = subject.shape.parts().size() == 1;
-  const std::vector<Solid> solids = single ? toldApart(subject.shape.parts().front()) : subject.shape.parts();
-  std::vector<Marker> out;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    Solid solid = solids[i];
-    solid.centre += subject.shape_position;
-    // The second half of a single solid takes the brightest colour.
-    const int colour = static_cast<int>(single && i == 1 && !subject.colour ? 2 : i);
-    out.push_back(markerOf(solid, colourOf(subject, colour)));
-  }
-  return out;
-}
-
 bool isInside(const Solid& solid, const Eigen::Vector3d& point) {
   const Eigen::Vector3d p = (solid.orientation.conjugate() * (point - solid.centre)).cwiseQuotient(0.5 * solid.size);
   if (solid.type == SolidType::ellipsoid) return p.squaredNorm() <= 1;
@@ -120,10 +104,24 @@ void appendShape(const Subject& subject, Canvas& canvas) {
   }
 }
 
-std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& position, const Eigen::Quaterniond& attitude,
-                           double size) {
-  std::vector<Marker> out = shapeOf(subject);
-  for (Marker& marker : out) {
+std::vector<Marker> shapeOf(const Subject& subject) {
+  if (subject.appearance) return {markerOf(*subject.appearance)};
+  const bool single = subject.shape.parts().size() == 1;
+  const std::vector<Solid> solids = single ? toldApart(subject.shape.parts().front()) : subject.shape.parts();
+  std::vector<Marker> out;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    Solid solid = solids[i];
+    solid.centre += subject.shape_position;
+    // The second half of a single solid takes the brightest colour.
+    const int colour = static_cast<int>(single && i == 1 && !subject.colour ? 2 : i);
+    out.push_back(markerOf(solid, colourOf(subject, colour)));
+  }
+  return out;
+}
+
+std::vector<Marker> copyOf(std::vector<Marker> shape, const Eigen::Vector3d& position,
+                           const Eigen::Quaterniond& attitude, double size) {
+  for (Marker& marker : shape) {
     marker.header.frame_id = names::kWorld;
     const Eigen::Vector3d in_body(marker.pose.position.x, marker.pose.position.y, marker.pose.position.z);
     const geometry_msgs::Quaternion& q = marker.pose.orientation;
@@ -133,7 +131,7 @@ std::vector<Marker> copyOf(const Subject& subject, const Eigen::Vector3d& positi
     marker.scale.y *= size;
     marker.scale.z *= size;
   }
-  return out;
+  return shape;
 }
 
 void appendBodyAxes(const Subject& subject, Canvas& canvas) {
@@ -162,11 +160,12 @@ void appendFlight(const Subject& subject, Canvas& canvas) {
   }
   canvas.put(path);
 
+  const std::vector<Marker> shape = shapeOf(subject);
   int id = 0;
   for (int i = 0; i <= kGhosts; ++i) {
     const double t = *loop * i / kGhosts;
     const Eigen::Quaterniond attitude = subject.closed_form->at(t).attitude * subject.inertia.axes().conjugate();
-    for (Marker& ghost : copyOf(subject, subject.translation->positionAt(t), attitude, 1)) {
+    for (Marker& ghost : copyOf(shape, subject.translation->positionAt(t), attitude, 1)) {
       ghost.ns = subject.factory.ns(names::kGhosts);
       ghost.id = id++;
       ghost.mesh_use_embedded_materials = false;
