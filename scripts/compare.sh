@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
-# Takes pictures of compare.launch at several times, on a virtual display, and makes one sheet of them.
+# Shows two of the bodies of compare.launch, lie_euler and the closed form, at two times, and the energy of all of them, on one sheet.
 #
 # Usage: scripts/compare.sh [--mode equal_cost|equal_step] [--out FILE.png]
 #   --out FILE.png   the sheet (default: build/compare.png); the single pictures are beside it, FILE_t<s>.png
 #
-# Plays at three times real time. Exit: 0; 1 when something failed; 2 for bad use.
+# Takes the pictures on a virtual display. Exit: 0; 1 when something failed; 2 for bad use.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-mode=equal_cost out=$build/compare.png times=(3 30 60 90)
-speed=3
+mode=equal_cost out=$build/compare.png times=(3 60) duration=90
 while [ $# -gt 0 ]; do
   case "$1" in
     --mode | --out)
@@ -26,9 +25,8 @@ case "$mode" in equal_cost | equal_step) ;; *) bad_use "compare.sh: --mode: expe
 [[ $out == *.png ]] || bad_use "compare.sh: --out: expected a file that ends with .png, got '$out'"
 { mkdir -p "$(dirname "$out")" && [ -w "$(dirname "$out")" ]; } 2> /dev/null || bad_use "compare.sh: cannot write $out"
 
-"$root/scripts/setup.sh" --pictures
-say "building"
-build_package demo compare_scene
+"$root/scripts/setup.sh" --pictures --plots
+[ -n "${POINSOT_NO_BUILD:-}" ] || { say "building"; build_package demo compare_scene simulate; }
 enter_devel
 stay_on_loopback "$(free_port)"
 
@@ -42,9 +40,15 @@ finish() {
   rm -rf "$work"
 }
 trap finish EXIT
+programs=$build/devel/lib/poinsot
+"$programs/compare_scene" --mode "$mode" "$root/scenes/dzhanibekov.yaml" > "$work/four.yaml"
+"$programs/simulate" "$work/four.yaml" --duration "$duration" --columns states,energy --csv "$work/four.csv" 2> "$log"
+/usr/bin/python3 "$root/scripts/compare_energy.py" scene "$work/four.yaml" "$work/two.yaml" lie_euler closed_form
+/usr/bin/python3 "$root/scripts/compare_energy.py" plot "$work/four.csv" "$work/energy.png" 2008 560 "${times[@]}"
+
 start_display 1600x900
-say "showing compare.launch, $mode"
-roslaunch poinsot compare.launch mode:="$mode" rviz_args:=--fullscreen > "$log" 2>&1 &
+say "showing two bodies of compare.launch, $mode"
+roslaunch poinsot demo.launch scene_file:="$work/two.yaml" rviz_args:=--fullscreen >> "$log" 2>&1 &
 launch_pid=$!
 died() { tail -n 20 "$log" >&2; launch_pid=; fail "compare.sh: the launch ended early; its output is in $log"; }
 up=0
@@ -52,22 +56,19 @@ await_rviz "$launch_pid" || up=$?
 [ $up -ne 1 ] || died
 [ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not start; its output is in $log"; }
 sleep 3
-rostopic pub -1 /poinsot/speed std_msgs/Float64 -- "$speed" > "$work/pub" 2>&1 &
-rosservice call /poinsot/reset > "$work/reset"
 
-# now: prints the simulation time [s].
-now() { timeout 10 rostopic echo -n 1 /closed_form/state/time 2> /dev/null | head -n 1; }
 sheet=()
 for t in "${times[@]}"; do
-  until awk "BEGIN {exit !($(now) >= $t)}"; do
-    kill -0 "$launch_pid" 2> /dev/null || died
-    sleep 0.1
-  done
-  picture=${out%.png}_t$t.png
+  timeout $((t + 90)) python3 "$root/scripts/show_until.py" "$t" || died
+  sleep 2
+  kill -0 "$launch_pid" 2> /dev/null || died
   import -window root "$work/one.png"
-  convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 26 -fill white -annotate +0+12 "t = $t s" "$picture"
+  picture=${out%.png}_t$t.png
+  convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 34 -fill white -annotate +0+12 "t = $t s" "$picture"
   sheet+=("$picture")
+  rosservice call /poinsot/pause "data: false" > "$work/pause"
 done
-montage -font DejaVu-Sans "${sheet[@]}" -tile 2x -geometry 1000x+4+4 -background black +dither -colors 256 "PNG8:$work/sheet.png"
+montage "${sheet[@]}" -tile 2x -geometry 1000x+2+2 -background black "$work/pictures.png"
+convert "$work/pictures.png" "$work/energy.png" -append -strip -define png:compression-level=9 "$work/sheet.png"
 mv "$work/sheet.png" "$out"
 echo "the sheet is in $out"

@@ -469,6 +469,19 @@ def promise_complaints(path, promise):
             for i, (x, (want, off)) in enumerate(zip(found, figures)) if not abs(x - want) <= off]
 
 
+def seam_complaints(path):
+    """A film's scene is at its start again after the time that its comment tells."""
+    with open(path) as text:
+        period = re.search(r"T = ([0-9.]+) s", text.read()).group(1)
+    code, said = run(os.path.join(PROGRAMS, "simulate"), path, "--duration", period, "--rate", "0.001", "--csv", "-")
+    rows = [row.split(",")[2:9] for row in said.splitlines()[1:]]
+    if code != 0 or len(rows) != 2:
+        return [said.strip()[:300]]
+    first, last = (np.array(row, float) for row in rows)
+    apart = 2 * np.arccos(min(1, abs(first[:4] @ last[:4]))), np.linalg.norm(first[4:] - last[4:])
+    return ["%g %s from the start" % pair for pair in zip(apart, ("rad", "rad/s")) if pair[0] > 1e-6]
+
+
 def changed(path, folder, old, new):
     """A copy of a scene with something else in it."""
     with open(path) as text:
@@ -517,6 +530,8 @@ def main():
         if name in PROMISES:
             check("%s does what it promises" % name, promise_complaints(path, PROMISES[name]))
 
+    flip = os.path.join(ROOT, "doc", "films", "flip.yaml")
+    check("the film of the flip has no seam", seam_complaints(flip))
     meshes = os.path.join(ROOT, "meshes")
     check("flips and Montgomery's angle as in doc/poinsot_construction.md",
           construction_complaints([1, 2, 3], [.4, 1, .8], (0, 2)) +
@@ -549,6 +564,7 @@ def main():
         check("meshes that are missing or other ones", noticed(regenerated_complaints("make_meshes.py", folder, ".dae")))
         check("a time between flips that is not so", noticed(construction_complaints([1, 2, 3], [.4, 1, .8], (0, 2), 1e-3)))
         check("a mesh of another size", noticed(mesh_complaints(folder)))
+        check("a film with a seam", noticed(seam_complaints(changed(flip, folder, r"0\.29771", "0.2978"))))
         for name in sorted(PROMISES):
             broken = changed(os.path.join(SCENES, name + ".yaml"), folder, *BREAKS.get(name, FASTER))
             try:

@@ -89,7 +89,7 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     programs = sys.argv[1]
-    shown = between(document("hard_cases.md"), "## What must hold", "## 1e8 steps")
+    shown = between(document("hard_cases.md"), "## In short", "## 1e8 steps")
     computed = output(os.path.join(programs, "hard_cases"))
     while computed and not computed[-1]:
         computed.pop()
