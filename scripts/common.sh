@@ -35,9 +35,10 @@ use_ccache() {
   command -v ccache > /dev/null || return 0
   CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}  # kept when a test changes HOME
   # Where a path has a blank, ccache 4.7 stores lists of dependencies that name the files of this very copy: another copy
-  # that was given such a list would not compile its own file again when it changes. There ccache only reads, and what
-  # it stored before that was known is left alone, in another namespace.
+  # that was given such a list would not compile its own file again when it changes. So there ccache only reads. Lists that it
+  # stored before are in no namespace, where they are not found.
   export CCACHE_DIR CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1 CCACHE_NAMESPACE=poinsot
+  unset CCACHE_READONLY
   case $1 in *[[:space:]]*) export CCACHE_READONLY=1 ;; esac
 }
 

@@ -41,34 +41,38 @@ finish() {
 }
 trap finish EXIT
 programs=$build/devel/lib/poinsot
-"$programs/compare_scene" --mode "$mode" "$root/scenes/dzhanibekov.yaml" > "$work/four.yaml"
-"$programs/simulate" "$work/four.yaml" --duration "$duration" --columns states,energy --csv "$work/four.csv" 2> "$log"
-/usr/bin/python3 "$root/scripts/compare_energy.py" scene "$work/four.yaml" "$work/two.yaml" lie_euler closed_form
-/usr/bin/python3 "$root/scripts/compare_energy.py" plot "$work/four.csv" "$work/energy.png" 2008 560 "${times[@]}"
+failed() { tail -n 20 "$log" >&2; fail "compare.sh: $1; the output is in $log"; }
+"$programs/compare_scene" --mode "$mode" "$root/scenes/dzhanibekov.yaml" > "$work/four.yaml" 2> "$log" || failed "there is no scene"
+"$programs/simulate" "$work/four.yaml" --duration "$duration" --columns states,energy --csv "$work/four.csv" 2> "$log" ||
+  failed "the energy could not be computed"
+energy=$root/scripts/compare_energy.py
+/usr/bin/python3 "$energy" scene "$work/four.yaml" "$work/two.yaml" lie_euler closed_form 2> "$log" || failed "there is no scene of two bodies"
+/usr/bin/python3 "$energy" plot "$work/four.csv" "$work/energy.png" 2008 560 "${times[@]}" 2> "$log" || failed "the energy could not be drawn"
 
 start_display 1600x900
 say "showing two bodies of compare.launch, $mode"
 roslaunch poinsot demo.launch scene_file:="$work/two.yaml" rviz_args:=--fullscreen >> "$log" 2>&1 &
 launch_pid=$!
-died() { tail -n 20 "$log" >&2; launch_pid=; fail "compare.sh: the launch ended early; its output is in $log"; }
 up=0
 await_rviz "$launch_pid" || up=$?
-[ $up -ne 1 ] || died
-[ $up -eq 0 ] || { tail -n 20 "$log" >&2; fail "compare.sh: RViz does not start; its output is in $log"; }
+[ $up -ne 1 ] || failed "the launch ended early"
+[ $up -eq 0 ] || failed "RViz does not start"
 sleep 3
 
 sheet=()
 for t in "${times[@]}"; do
-  timeout $((t + 90)) python3 "$root/scripts/show_until.py" "$t" || died
+  timeout $((t + 90)) python3 "$root/scripts/show_until.py" "$t" 2>> "$log" || failed "the node does not answer"
   sleep 2
-  kill -0 "$launch_pid" 2> /dev/null || died
+  kill -0 "$launch_pid" 2> /dev/null || failed "the launch ended early"
   import -window root "$work/one.png"
-  picture=${out%.png}_t$t.png
-  convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 34 -fill white -annotate +0+12 "t = $t s" "$picture"
-  sheet+=("$picture")
+  convert "$work/one.png" -gravity north -font DejaVu-Sans -pointsize 34 -fill white -annotate +0+12 "t = $t s" "$work/t$t.png"
+  sheet+=("$work/t$t.png")
   rosservice call /poinsot/pause "data: false" > "$work/pause"
 done
-montage "${sheet[@]}" -tile 2x -geometry 1000x+2+2 -background black "$work/pictures.png"
+montage -font DejaVu-Sans "${sheet[@]}" -tile 2x -geometry 1000x+2+2 -background black "$work/pictures.png"
 convert "$work/pictures.png" "$work/energy.png" -append -strip -define png:compression-level=9 "$work/sheet.png"
-mv "$work/sheet.png" "$out"
+# Whole or not at all.
+put() { cp "$1" "$2.part" && mv "$2.part" "$2"; }
+for t in "${times[@]}"; do put "$work/t$t.png" "${out%.png}_t$t.png"; done
+put "$work/sheet.png" "$out"
 echo "the sheet is in $out"

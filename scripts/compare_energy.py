@@ -40,7 +40,7 @@ def plot(source, target, width, height, times):
             energy.append(float(row["E"]))
     plt.rcParams.update({"font.size": 16, "text.color": "white", "axes.labelcolor": "white", "axes.edgecolor": "#8c94a6",
                          "xtick.color": "white", "ytick.color": "white", "axes.facecolor": BACKGROUND})
-    figure, axes = plt.subplots(figsize=(width / DPI, height / DPI), dpi=DPI, facecolor=BACKGROUND)
+    figure, axes = plt.subplots(figsize=((width + 0.5) / DPI, (height + 0.5) / DPI), dpi=DPI, facecolor=BACKGROUND)
     last = max(t[-1] for t, _ in runs.values())
     for body, (t, energy) in runs.items():
         colour, style = LOOKS.get(body, OTHER)

@@ -97,6 +97,6 @@ for scene in "${scenes[@]}"; do
     [ $try -lt 3 ] || { tail -n 20 "$log" >&2; fail "scene_pictures.sh: $scene: the launch ended early three times; see $log"; }
     say "$scene: the launch ended early; trying again"
   done
-  convert "$raw" -resize 960x540 -strip -define png:compression-level=9 -colors 255 "PNG8:$out/$scene.png"
+  convert "$raw" -resize 960x540 -strip -define png:compression-level=9 "PNG24:$out/$scene.png"
   end_launch
 done

@@ -83,7 +83,6 @@ QVector<Card> tourCards(const QString& text) {
 }
 
 bool Tour::canGo(int by) const {
-  if (stage_ == Stage::seeking) return false;
   const int to = placeAfter(by);
   return to >= 0 && to < size();
 }
@@ -99,13 +98,12 @@ Tour::Act Tour::go(int by) {
 
 Tour::Act Tour::onStatus(const NodeStatus& status) {
   newest_ = status;
-  if (stage_ == Stage::seeking && status.segment != segment_) stage_ = Stage::there;
-  if (stage_ == Stage::there) return Act::nothing;
+  if (isSought(status)) segment_ = status.segment;
+  if (!underWay()) return Act::nothing;
   if (!status.refused.empty() && status.refused != refused_) {
     fail();
     return Act::nothing;
   }
-  if (stage_ == Stage::seeking) return Act::nothing;
   // A status from before the node was asked has the segment of that time.
   if (isChanging(status) || status.segment == segment_ || status.scene != card().scene.toStdString()) {
     return Act::nothing;
@@ -119,14 +117,24 @@ Tour::Act Tour::onStatus(const NodeStatus& status) {
     const BodyStatus* const body = bodyNamed(status, card().body);
     if (!body || body->method != card().method.toStdString()) return Act::nothing;
   }
-  stage_ = card().time != 0 ? Stage::seeking : Stage::there;
-  segment_ = status.segment;
+  stage_ = Stage::there;
   shown_ = wanted_;
+  if (card().time != 0) sought_ = card().time;
+  sought_in_ = status.segment;
   return Act::arrive;
+}
+
+bool Tour::isSought(const NodeStatus& status) {
+  if (!sought_ || status.segment == sought_in_) return false;
+  // A scene begins at 0.
+  const bool out = std::abs(status.time - *sought_) < std::abs(status.time);
+  sought_.reset();
+  return out;
 }
 
 void Tour::fail() {
   stage_ = Stage::there;
+  sought_.reset();
 }
 
 }  // namespace poinsot::rviz_panel

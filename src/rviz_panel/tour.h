@@ -5,6 +5,7 @@
 #include <QString>
 #include <QVector>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace poinsot::rviz_panel {
@@ -49,11 +50,10 @@ class Tour {
   /** The card that is shown, from 0; -1 before the first has been reached. */
   int shown() const { return shown_; }
   const Card& shownCard() const { return cards_[shown_]; }
-  bool underWay() const { return stage_ == Stage::loading || stage_ == Stage::changing_method; }
+  bool underWay() const { return stage_ != Stage::there; }
   /** The card that the tour is on its way to, or has reached. There is one after go(). */
   const Card& card() const { return cards_[wanted_]; }
 
-  /** Not while the time of a card is sought: the jump would be taken for that of the next card's scene. */
   bool canGo(int by) const;
   /** Sets off for the card so many further on; nothing where there is none. */
   Act go(int by);
@@ -63,17 +63,21 @@ class Tour {
   void fail();
 
  private:
+  /** Whether the segment began at the time that the last card asked for, and not with the scene of the next one. */
+  bool isSought(const NodeStatus& status);
   int placeAfter(int by) const { return (underWay() ? wanted_ : shown_) + by; }
 
-  enum class Stage { there, loading, changing_method, seeking };
+  enum class Stage { there, loading, changing_method };
 
   QVector<Card> cards_;
   int shown_ = -1;
   int wanted_ = -1;
   Stage stage_ = Stage::there;
   NodeStatus newest_;
-  std::uint32_t segment_ = 0;  ///< when the node was asked
-  std::string refused_;        ///< likewise
+  std::uint32_t segment_ = 0;     ///< when the node was asked
+  std::string refused_;           ///< likewise
+  std::optional<double> sought_;  ///< the time that the card asked for, until the node is there [s]
+  std::uint32_t sought_in_ = 0;   ///< the segment when it was asked for
 };
 
 }  // namespace poinsot::rviz_panel

@@ -119,7 +119,6 @@ class OnTour : public testing::Test {
     ASSERT_EQ(tour.go(1), Act::load_scene);
     ASSERT_EQ(say("first", 4), Act::arrive);
     ASSERT_EQ(tour.shown(), 0);
-    ASSERT_EQ(say("first", 5), Act::nothing);  // the card's time
   }
 
   Tour tour;
@@ -141,15 +140,15 @@ TEST_F(OnTour, aCardIsReachedWhenItsSceneIsThere) {
 TEST_F(OnTour, aMethodIsAskedForWhenTheSceneIsThere) {
   reachTheFirst();
   EXPECT_EQ(tour.go(1), Act::load_scene);
-  EXPECT_EQ(say("second", 6), Act::set_method);
-  EXPECT_EQ(say("second", 6), Act::nothing);
+  EXPECT_EQ(say("second", 5), Act::set_method);
+  EXPECT_EQ(say("second", 5), Act::nothing);
   status.bodies.resize(1);
   status.bodies[0].name = "e";
   status.bodies[0].method = "closed_form";
-  EXPECT_EQ(say("second", 7), Act::nothing) << "a seek, but not yet the method";
+  EXPECT_EQ(say("second", 6), Act::nothing) << "a seek, but not yet the method";
   status.bodies[0].method = "rk4";
   EXPECT_EQ(tour.shown(), 0);
-  EXPECT_EQ(say("second", 8), Act::arrive);
+  EXPECT_EQ(say("second", 7), Act::arrive);
   EXPECT_EQ(tour.shown(), 1);
 }
 
@@ -158,34 +157,51 @@ TEST_F(OnTour, aRefusalLeavesItOnItsCard) {
   tour.go(1);
   tour.fail();
   EXPECT_EQ(tour.shown(), 0);
-  EXPECT_EQ(say("second", 6), Act::nothing) << "loaded by somebody else, later";
+  EXPECT_EQ(say("second", 5), Act::nothing) << "loaded by somebody else, later";
   tour.go(1);
   status.refused = "scene second refused";
-  EXPECT_EQ(say("first", 6), Act::nothing);
+  EXPECT_EQ(say("first", 5), Act::nothing);
   EXPECT_FALSE(tour.underWay());
   EXPECT_EQ(tour.shown(), 0);
   EXPECT_EQ(tour.go(1), Act::load_scene) << "it can be tried again";
-  EXPECT_EQ(say("second", 7), Act::set_method) << "the refusal is an old one";
+  EXPECT_EQ(say("second", 6), Act::set_method) << "the refusal is an old one";
 }
 
-TEST_F(OnTour, theNextCardWaitsForTheTimeOfThisOne) {
+TEST(NextInAHurry, doesNotTakeTheTimeOfACardForTheSceneOfTheNext) {
+  Tour tour(
+      tourCards("- {title: one, says: b, scene: same, view: d, time: 6.5}\n"
+                "- {title: two, says: b, scene: same, view: d, time: 6.5}\n"));
+  const auto say = [&](unsigned segment, double time) {
+    poinsot::NodeStatus status;
+    status.scene = "same";
+    status.segment = segment;
+    status.time = time;
+    return tour.onStatus(status);
+  };
+  say(3, 0);
   ASSERT_EQ(tour.go(1), Act::load_scene);
-  ASSERT_EQ(say("first", 4), Act::arrive);
-  EXPECT_FALSE(tour.canGo(1)) << "the jump to its time would be taken for the next card's scene";
-  EXPECT_EQ(tour.go(1), Act::nothing);
-  EXPECT_EQ(say("first", 4), Act::nothing);
-  EXPECT_FALSE(tour.canGo(1));
-  EXPECT_EQ(say("first", 5), Act::nothing);
-  EXPECT_TRUE(tour.canGo(1));
-}
-
-TEST_F(OnTour, aTimeThatIsRefusedHoldsUpNothing) {
-  ASSERT_EQ(tour.go(1), Act::load_scene);
-  ASSERT_EQ(say("first", 4), Act::arrive);
-  status.refused = "seek refused";
-  EXPECT_EQ(say("first", 4), Act::nothing);
-  EXPECT_TRUE(tour.canGo(1));
+  ASSERT_EQ(say(4, 0.01), Act::arrive);
+  EXPECT_EQ(tour.go(1), Act::load_scene) << "before the node is at 6.5 s";
+  EXPECT_EQ(say(5, 6.51), Act::nothing) << "the time of the first card";
   EXPECT_EQ(tour.shown(), 0);
+  EXPECT_EQ(say(6, 0.02), Act::arrive);
+  EXPECT_EQ(tour.shown(), 1);
+}
+
+TEST(NextInAHurry, theNodeMayLoadAtOnceAndNeverSeek) {
+  Tour tour(
+      tourCards("- {title: one, says: b, scene: same, view: d, time: 6.5}\n"
+                "- {title: two, says: b, scene: same, view: d, time: 6.5}\n"));
+  poinsot::NodeStatus status;
+  status.scene = "same";
+  tour.onStatus(status);
+  ASSERT_EQ(tour.go(1), Act::load_scene);
+  status.segment = 1;
+  ASSERT_EQ(tour.onStatus(status), Act::arrive);
+  ASSERT_EQ(tour.go(1), Act::load_scene);
+  status.segment = 2;
+  status.time = 0.02;
+  EXPECT_EQ(tour.onStatus(status), Act::arrive);
 }
 
 TEST_F(OnTour, hasTwoEnds) {
