@@ -16,10 +16,14 @@ constexpr double kAboveBead = 1.45;    // upwards, that in body axes, where the 
 constexpr double kArrowReach = 1.85;   // of L's arrow with its name, where L points that way
 constexpr double kMovingReach = 1.6;   // of L's arrow where it moves
 constexpr double kBelowBody = 0.38;    // the title's middle, below the body
+constexpr double kBelowSymbol = 0.3;   // more of that, where the body is small beside the names of its arrows:
+constexpr double kSmallBody = 0.5;     // its radius
 constexpr double kTitleHeight = 0.21;  // with kLineHeight: see ros/markers/layout.h
 constexpr double kLineHeight = 0.235;
 constexpr int kPictureLines = 2;           // below the title of a picture
 constexpr double kHalfWords = 1.15;        // the width of the words of a body that steps, or of a picture's
+constexpr double kHalfLetter = 0.055;      // of a title: half the width of a letter, in the mean
+constexpr int kLettersOfPicture = 15;      // of the title of a picture, besides the name of its body
 constexpr double kHalfFigures = 1.1;       // of a body's figures
 constexpr int kFigures = 3;                // lines: from so many on they are figures
 constexpr double kSmallestLetters = 0.17;  // the height of the smallest letters
@@ -83,7 +87,8 @@ class Cell {
 
   /** The place of the body's title so far below its start, or at least below the body. */
   Eigen::Vector3d titleBelow(double depth = 0) const {
-    return start() - Eigen::Vector3d(0, 0, std::max(depth, extent_.body.front().radius + unit_ * kBelowBody * text_));
+    const double below = kBelowBody + (extent_.radius < kSmallBody * unit_ ? kBelowSymbol : 0);
+    return start() - Eigen::Vector3d(0, 0, std::max(depth, extent_.body.front().radius + unit_ * below * text_));
   }
   double pictureTitleDepth() const { return unit_ * extent_.picture_depth; }
 
@@ -91,8 +96,7 @@ class Cell {
   Eigen::Vector3d titleBeside() const {
     const Box body = bodyAlone();
     const double height = unit_ * text_ * kLineHeight * extent_.lines;
-    return {start().x(), body.y1 + unit_ * (kGap + text_ * halfWords(extent_.lines)),
-            0.5 * (body.z0 + body.z1 + height)};
+    return {start().x(), body.y1 + unit_ * (kGap + text_ * halfWords()), 0.5 * (body.z0 + body.z1 + height)};
   }
 
   /** The body, wherever it is to be in view. */
@@ -105,13 +109,14 @@ class Cell {
   /** The body with its words. */
   Box bodyBox(const BodyPlace& place) const {
     Box out = bodyAlone();
-    if (extent_.has_words) out.add(wordsBox(place.title, extent_.lines));
+    if (extent_.has_words) out.add(wordsBox(place.title, extent_.lines, halfWords()));
     return out;
   }
 
-  Box pictureBox(Which which, const Eigen::Vector3d& middle, double title_depth) const {
+  /** The picture with its words, its middle being there. */
+  Box pictureBox(Which which, const Eigen::Vector3d& middle, const BodyPlace& place) const {
     const Reach reach = reachOf(which);
-    Box out = wordsBox(middle - Eigen::Vector3d(0, 0, title_depth), which == Which::body ? kPictureLines : 0);
+    Box out = wordsBox(middle - Eigen::Vector3d(0, 0, place.picture_title_depth), linesOf(which), halfWordsOf(place));
     out.y0 = std::min(out.y0, middle.y() - reach.left);
     out.y1 = std::max(out.y1, middle.y() + reach.right);
     out.z0 = std::min(out.z0, middle.z() - reach.down);
@@ -135,10 +140,18 @@ class Cell {
     return out;
   }
 
+  /** The same across, or how far the words below the picture reach, if that is farther. */
+  double leftOf(Which which, const BodyPlace& place) const {
+    return std::max(reachOf(which).left, unit_ * text_ * halfWordsOf(place));
+  }
+  double rightOf(Which which, const BodyPlace& place) const {
+    return std::max(reachOf(which).right, unit_ * text_ * halfWordsOf(place));
+  }
+
   /** Puts what an overview shows of the body, and of the pictures beside it. */
   void appendBalls(const BodyPlace& place, std::vector<Ball>& out) const {
     out.insert(out.end(), extent_.body.begin(), extent_.body.end());
-    if (extent_.has_words) appendWords(place.title, extent_.lines, out);
+    if (extent_.has_words) appendWords(place.title, extent_.lines, halfWords(), out);
     for (const Which which : shown_) {
       const Eigen::Vector3d& middle = place.*centre(which);
       if (which == Which::world && extent_.momentum) {
@@ -147,26 +160,34 @@ class Cell {
       } else {
         out.push_back({middle, (which == Which::body ? kRound : kMovingReach) * unit_});
       }
-      appendWords(middle - Eigen::Vector3d(0, 0, place.picture_title_depth), which == Which::body ? kPictureLines : 0,
-                  out);
+      appendWords(middle - Eigen::Vector3d(0, 0, place.picture_title_depth), linesOf(which), halfWordsOf(place), out);
     }
   }
 
  private:
-  static double halfWords(int lines) { return lines >= kFigures ? kHalfFigures : kHalfWords; }
+  static int linesOf(Which which) { return which == Which::body ? kPictureLines : 0; }
 
-  /** A title there, with lines below it. */
-  Box wordsBox(const Eigen::Vector3d& title, int lines) const {
+  /** Half the width of the words of the body, or of one of its pictures [heights of letters]. */
+  double halfWords() const {
+    return std::max(extent_.lines >= kFigures ? kHalfFigures : kHalfWords, kHalfLetter * extent_.letters);
+  }
+  double halfWordsOf(const BodyPlace& place) const {
+    const int letters = place.titles == PictureTitles::named ? extent_.letters + kLettersOfPicture : 0;
+    return std::max(kHalfWords, kHalfLetter * letters);
+  }
+
+  /** A title there, with lines below it. @param half the width of the words. */
+  Box wordsBox(const Eigen::Vector3d& title, int lines, double half) const {
     Box out;
     const double letters = unit_ * text_;
     const double top = title.z() + 0.5 * letters * kTitleHeight,
                  height = letters * (kTitleHeight + kLineHeight * lines);
-    out.add(title.y(), top - 0.5 * height, letters * halfWords(lines), 0.5 * height);
+    out.add(title.y(), top - 0.5 * height, letters * half, 0.5 * height);
     return out;
   }
 
-  void appendWords(const Eigen::Vector3d& title, int lines, std::vector<Ball>& out) const {
-    const Box box = wordsBox(title, lines);
+  void appendWords(const Eigen::Vector3d& title, int lines, double half, std::vector<Ball>& out) const {
+    const Box box = wordsBox(title, lines, half);
     // Lines stand the nearer to the viewer the lower they are.
     const double nearer = title.z() - box.z0;
     for (const double y : {box.y0, box.y1}) out.push_back({{title.x() + nearer, y, box.z0}, 0});
@@ -217,7 +238,7 @@ class Arranger {
       std::vector<Box> boxes;  // of each picture, about its middle
       double height = 0, left = 0;
       for (const Which which : cell.shown()) {
-        boxes.push_back(cell.pictureBox(which, Eigen::Vector3d::Zero(), place.picture_title_depth));
+        boxes.push_back(cell.pictureBox(which, Eigen::Vector3d::Zero(), place));
         height += boxes.back().z1 - boxes.back().z0 + kGap * unit_;
         left = std::max(left, -boxes.back().y0);
       }
@@ -242,7 +263,7 @@ class Arranger {
         Eigen::Vector3d& middle = place.*centre(which);
         middle = cell.start();
         middle.z() = z - cell.reachOf(which).up;
-        z = cell.pictureBox(which, middle, place.picture_title_depth).z0 - kGap * unit_;
+        z = cell.pictureBox(which, middle, place).z0 - kGap * unit_;
       }
     }
     return out;
@@ -257,10 +278,11 @@ class Arranger {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       bodies.add(cells_[i].bodyBox(out.places[i]));
       depth += cells_[i].start().x() / static_cast<double>(cells_.size());
-      BodyPlace place = out.places[i];
+      BodyPlace& place = out.places[i];
+      place.titles = PictureTitles::named;
       setRow(cells_[i], Eigen::Vector3d::Zero(), place);  // each cell begins at y = 0
       for (const Which which : cells_[i].shown()) {
-        largest.add(cells_[i].pictureBox(which, place.*centre(which), place.picture_title_depth));
+        largest.add(cells_[i].pictureBox(which, place.*centre(which), place));
       }
     }
     const std::vector<std::size_t> order = inReadingOrder();
@@ -273,7 +295,6 @@ class Arranger {
     for (std::size_t k = 0; k < order.size(); ++k) {
       const Cell& cell = cells_[order[k]];
       BodyPlace& place = out.places[order[k]];
-      place.titles = PictureTitles::named;
       const auto column = static_cast<double>(k % columns), row = static_cast<double>(k / columns);
       setRow(cell, {depth, left + column * width - largest.y0, top - row * height - largest.z1}, place);
     }
@@ -295,7 +316,7 @@ class Arranger {
       const BodyPlace& place = trial.places[i];
       all.push_back({cell.bodyAlone(), cell.bodyBox(place)});
       for (const Which which : cell.shown()) {
-        all.back().push_back(cell.pictureBox(which, place.*centre(which), place.picture_title_depth));
+        all.back().push_back(cell.pictureBox(which, place.*centre(which), place));
       }
     }
     const auto meet = [](const std::vector<Box>& one, const std::vector<Box>& other) {
@@ -320,9 +341,8 @@ class Arranger {
   /** Sets the pictures of a body in a row whose left end is there. */
   static void setRow(const Cell& cell, Eigen::Vector3d left_end, BodyPlace& place) {
     for (const Which which : cell.shown()) {
-      const Reach reach = cell.reachOf(which);
-      place.*centre(which) = left_end + Eigen::Vector3d(0, reach.left, 0);
-      left_end.y() += reach.left + reach.right;
+      place.*centre(which) = left_end + Eigen::Vector3d(0, cell.leftOf(which, place), 0);
+      left_end.y() += cell.leftOf(which, place) + cell.rightOf(which, place);
     }
   }
 

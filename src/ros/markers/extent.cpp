@@ -90,6 +90,7 @@ view::BodyExtent extentOf(const Subject& subject, const SceneFacts& scene) {
   out.shows_orbit = subject.orbit.has_value() && pictures != scene::Pictures::none;
   if (subject.keeps_momentum) out.momentum = subject.start.momentum_world.stableNormalized();
   out.picture_depth = beadSymbolDepth(subject);
+  out.letters = static_cast<int>(scene::lettersOf(subject.name));
   out.lines = scene.some_body_steps ? (subject.closed_form ? kLinesOfFree : kLinesUnderTorque) : 1;
   return out;
 }

@@ -20,6 +20,7 @@ struct BodyExtent {
   std::optional<Eigen::Vector3d> momentum;
   double picture_depth = 1.4;  ///< of the pictures' titles below their centres [radii of a picture], at least
   int lines = 0;               ///< of text below its title, at most
+  int letters = 0;             ///< of its name
 };
 
 /** The titles of a body's pictures. */
