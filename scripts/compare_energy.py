@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """For compare.sh: makes a scene of two of the bodies of compare_scene, and plots the energy of all of them.
 
-Usage: compare_energy.py scene FOUR.yaml TWO.yaml METHOD METHOD    (the first above the second)
+Usage: compare_energy.py scene FOUR.yaml TWO.yaml METHOD METHOD    (side by side, each with its picture in body axes)
        compare_energy.py plot FOUR.csv OUT.png WIDTH HEIGHT TIME...  (of simulate --columns states,energy; marks the times)
 """
 import csv
@@ -16,14 +16,15 @@ OTHER = ("#009E73", "-.")
 BACKGROUND = "#191d26"
 
 
-def write_scene(source, target, upper, lower):
+def write_scene(source, target, left, right):
     with open(source) as file:
         scene = yaml.safe_load(file)
     bodies = {body["name"]: body for body in scene["bodies"]}
-    height = max(abs(body["effects"][0]["position"][2]) for body in bodies.values())
-    scene["bodies"] = [bodies[upper], bodies[lower]]
-    for body, z in zip(scene["bodies"], (height, -height)):
-        body["effects"][0]["position"] = [0, 0, z]
+    apart = max(abs(body["effects"][0]["position"][2]) for body in bodies.values())
+    scene["bodies"] = [bodies[left], bodies[right]]
+    for body, y in zip(scene["bodies"], (-apart, apart)):
+        body["pictures"] = "body"
+        body["effects"][0]["position"] = [0, y, 0]
     with open(target, "w") as out:
         yaml.safe_dump(scene, out, sort_keys=False)
 

@@ -25,7 +25,7 @@ constexpr int kNo = 1;
 constexpr double kGoodAccuracy = 1e-3, kGoodHorizon = 120;  // rad, s: what makes a stepper good
 constexpr double kLeastForSteps = 1.1;  // a budget leaves for steps at least a tenth of what the states cost
 // From one body to the next, in radii of the body: the pictures stand beside the four, and below the three of a row.
-constexpr double kAcross = 8.4, kUp = 5.8, kAcrossRow = 4.4;
+constexpr double kAcross = 10, kUp = 5.8, kAcrossRow = 4.4;
 const char *const kEqualCost = "equal_cost", *const kEqualStep = "equal_step", *const kLesson = "lesson";
 constexpr double kEqualStepDefault = 0.02, kLessonDefault = 1.0 / 60;  // s
 

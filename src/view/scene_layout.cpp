@@ -280,6 +280,7 @@ class Arranger {
       depth += cells_[i].start().x() / static_cast<double>(cells_.size());
       BodyPlace& place = out.places[i];
       place.titles = PictureTitles::named;
+      place.picture_title_depth += kGap * unit_;          // as in a column
       setRow(cells_[i], Eigen::Vector3d::Zero(), place);  // each cell begins at y = 0
       for (const Which which : cells_[i].shown()) {
         largest.add(cells_[i].pictureBox(which, place.*centre(which), place));

@@ -2,9 +2,10 @@
 """Judges the overview of every scene from what `simulate --bag` records, as a viewer's camera would show it: how much of
 the frame the subjects fill, how large the smallest letters are, and whether letters overlap.
 
-Usage: test_overviews.py PROGRAMS [SCENE ...]    (PROGRAMS: the directory of simulate; default: all of scenes/ and overviews/)
+Usage: test_overviews.py PROGRAMS [SCENE ...]    (PROGRAMS: the directory of simulate and compare_scene)
 
-Those of overviews/ are as users write them who do not know the layout.
+Default: all of scenes/ and overviews/, which are as users write them who do not know the layout; and the scenes of compare.launch and
+lesson.launch.
 
 The frame is 800 x 450 pixels. Times: 0, 3, 10 and 30 s. Exit: 0; 1 when a scene falls short; 2 for bad use.
 """
@@ -193,6 +194,14 @@ def complaints(picture, larger=1.0):
     return out + ["%s overlap" % pair for pair in overlapping(texts)]
 
 
+def compared(programs, mode, source, folder):
+    """A scene that compare_scene makes."""
+    path = os.path.join(folder, "compare_%s.yaml" % mode)
+    with open(path, "w") as out:
+        subprocess.run([os.path.join(programs, "compare_scene"), "--mode", mode, source], stdout=out, check=True)
+    return path
+
+
 def main():
     if len(sys.argv) < 2:
         print(__doc__, file=sys.stderr)
@@ -205,6 +214,9 @@ def main():
     full = 0
     noticed = {"larger": False, "smaller": False}
     with tempfile.TemporaryDirectory() as folder:
+        if not names:
+            paths.append(compared(sys.argv[1], "equal_cost", os.path.join(own, "dzhanibekov.yaml"), folder))
+            paths.append(compared(sys.argv[1], "lesson", os.path.join(ROOT, "launch", "lesson.yaml"), folder))
         for path in paths:
             name = os.path.splitext(os.path.basename(path))[0]
             wrong, filled = [], []
