@@ -38,9 +38,9 @@ TourBox::TourBox(NodeLink* link, std::function<void(const QString& view)> look)
   button_->setEnabled(tour_->size() > 0);
   auto* const layout = makeLayout<QVBoxLayout>(this, 4);
   layout->setContentsMargins(8, 6, 8, 6);
+  layout->addLayout(makeRow({back_, nullptr, next_}));  // on top, where they stay, however long the text is
   layout->addWidget(title_);
   layout->addWidget(says_);
-  layout->addLayout(makeRow({back_, nullptr, next_}));
   hide();
 
   connect(button_, &QToolButton::toggled, this, &TourBox::open);
