@@ -296,8 +296,10 @@ class Arranger {
     for (std::size_t k = 0; k < order.size(); ++k) {
       const Cell& cell = cells_[order[k]];
       BodyPlace& place = out.places[order[k]];
-      const auto column = static_cast<double>(k % columns), row = static_cast<double>(k / columns);
-      setRow(cell, {depth, left + column * width - largest.y0, top - row * height - largest.z1}, place);
+      const std::size_t column = k % columns, row = k / columns;
+      const double y = left + static_cast<double>(column) * width - largest.y0;
+      const double z = top - static_cast<double>(row) * height - largest.z1;
+      setRow(cell, {depth, y, z}, place);
     }
     return out;
   }
