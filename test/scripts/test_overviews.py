@@ -210,7 +210,12 @@ def main():
     own = os.path.join(ROOT, "scenes")
     paths = sorted(path for place in (own, os.path.join(HERE, "overviews")) for path in glob.glob(os.path.join(place, "*.yaml")))
     if names:
-        paths = [path for path in paths if os.path.splitext(os.path.basename(path))[0] in names]
+        known = {os.path.splitext(os.path.basename(path))[0]: path for path in paths}
+        unknown = [name for name in names if name not in known]
+        if unknown:
+            print("expected scenes of %s, got %s" % (", ".join(sorted(known)), ", ".join(unknown)), file=sys.stderr)
+            return 2
+        paths = [known[name] for name in names]
     full = 0
     noticed = {"larger": False, "smaller": False}
     with tempfile.TemporaryDirectory() as folder:
